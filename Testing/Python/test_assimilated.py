@@ -79,12 +79,17 @@ class Assimilated(unittest.TestCase):
 
     def test_a_body_lies_from_its_touch_down_on(self):
         rows = read_surface(str(self.out / "constraints.vtp")).GetPointData()
-        down = vtk_to_numpy(rows.GetArray("TouchDown")).tolist()
-        kinds = vtk_to_numpy(rows.GetArray("Kind")).tolist()
-        frame = down[kinds.index(4)]
-        self.assertTrue(0 < frame <= 40)
+        down, still = (vtk_to_numpy(rows.GetArray(name)).tolist() for name in ("TouchDown", "Settled"))
+        row = vtk_to_numpy(rows.GetArray("Kind")).tolist().index(4)
+        self.assertTrue(0 < down[row] <= still[row] <= 40)
+        with open(self.out / "constraints.csv", newline="", encoding="utf-8") as stream:
+            told = next(line for line in csv.DictReader(stream) if line["Kind"] == "rest")
+        self.assertEqual((str(down[row]), str(still[row])), (told["TouchDown"], told["Settled"]))
         points, _ = self.tracks("optimized.vtp")
-        self.assertTrue((points[0, frame:] == points[0, -1]).all())
+        self.assertTrue((points[0, still[row]:] == points[0, -1]).all())
+        posed, arrays = self.tracks("poses.vtp")
+        turns = vtk_to_numpy(arrays.GetArray("Orientation")).reshape(3, 45, 4)
+        self.assertTrue((posed[0, still[row]:] == posed[0, -1]).all() and (turns[0, still[row]:] == turns[0, -1]).all())
 
     def test_control_is_on_the_tracks(self):
         _, arrays = self.tracks("assimilated.vtp")

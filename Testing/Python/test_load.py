@@ -102,7 +102,7 @@ class LoadTest(Base):
         with open(folder / "constraints.csv", encoding="utf-8", newline="") as stream:
             rows = list(csv.DictReader(stream))
         with open(folder / "constraints.csv", "w", encoding="utf-8", newline="") as stream:
-            writer = csv.DictWriter(stream, [name for name in rows[0] if name not in ("TouchDown", "LiftOff")], extrasaction="ignore")
+            writer = csv.DictWriter(stream, [name for name in rows[0] if name not in ("TouchDown", "Settled", "LiftOff")], extrasaction="ignore")
             writer.writeheader()
             writer.writerows(rows)
         run = waft.load(folder)

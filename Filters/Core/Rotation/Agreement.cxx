@@ -36,7 +36,8 @@ std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
 {
   std::vector<double> away;
   const Track& track = *plan.Path;
-  const int span = std::max(1, static_cast<int>(std::lround(AgreementTime / path.Step)));
+  const int span =
+    std::max(1, static_cast<int>(std::lround(AgreementTime * plan.Time.FramesPerSecond)));
   const int last = static_cast<int>(track.Slips.size()) - 1;
   for (int first = 0; first + span <= last; first += AgreementStride)
   {
@@ -48,7 +49,8 @@ std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
     const auto to = static_cast<std::size_t>(first + span);
     FlightState state;
     state.Orientation = track.Orientations[from].normalized();
-    state.SetAngularVelocity(body, track.AngularVelocities[from]);
+    const double pace = path.Step / plan.Time.Step();
+    state.SetAngularVelocity(body, track.AngularVelocities[from] / pace);
     state.SetVelocity(body, track.Slips[from]);
     for (int k = first; k < first + span; ++k)
     {

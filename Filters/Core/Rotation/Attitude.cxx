@@ -18,7 +18,7 @@ namespace waft
 {
 namespace
 {
-constexpr double SamePose = 0.02; // rad, from where on flown poses go on
+constexpr double SamePose = 0.02;                   // rad, from where on flown poses go on
 constexpr std::uint64_t OfStarts = 0x57a2700000000; // streams of Random, one an object
 
 std::string Short(double x)
@@ -59,7 +59,7 @@ public:
       frame = this->FlyToNextEvent(frame);
     }
     KeepAbove(this->Plan, this->Marks, this->Out);
-    SetRatesWhereTurned(this->Marks.Changed, this->Path.Step, this->Out.Poses);
+    SetRatesWhereTurned(this->Marks.Changed, this->Plan.Time.Step(), this->Out.Poses);
     JoinSigns(this->Out.Poses.Orientations);
     return std::move(this->Out);
   }
@@ -72,6 +72,12 @@ private:
   };
 
   const Constraint* KeyAt(int first, int last) const
+    /// Seconds of its turning in a second.
+    double Pace() const
+  {
+    return this->Path.Step / this->Plan.Time.Step();
+  }
+
   {
     for (const Constraint& key : this->Plan.Keys)
     {
@@ -139,7 +145,7 @@ private:
     }
     if (object.OrientationGiven != 0 || !object.AngularVelocity.isZero())
     {
-      state.SetAngularVelocity(this->Body, object.AngularVelocity);
+      state.SetAngularVelocity(this->Body, object.AngularVelocity / this->Pace());
     }
     if (!this->Path.FastestTurning.empty())
     {
@@ -166,7 +172,7 @@ private:
   {
     const FlightState& state = this->State.Flight;
     this->Out.Poses.Orientations[frame] = state.Orientation;
-    this->Out.Poses.AngularVelocities[frame] = state.AngularVelocity(this->Body);
+    this->Out.Poses.AngularVelocities[frame] = this->Pace() * state.AngularVelocity(this->Body);
     this->Out.Poses.Torques[frame] = AirTorque(this->Body, this->Path, state, frame);
     if (this->Plan.Glides && this->Body.Slips)
     {
@@ -182,7 +188,7 @@ private:
     const auto k = static_cast<std::size_t>(frame);
     FlightState& state = this->State.Flight;
     state.Orientation = track.Orientations[k].normalized();
-    state.SetAngularVelocity(this->Body, track.AngularVelocities[k]);
+    state.SetAngularVelocity(this->Body, track.AngularVelocities[k] / this->Pace());
     state.SetVelocity(this->Body, track.Slips[k]);
     this->Record(frame);
   }
@@ -233,7 +239,7 @@ private:
       const bool near = this->FindFloor(k, floor);
       if (near && landing && landing->IsNear(k))
       {
-        landing->Support(k, now, floor);
+        landing->Support(k, now, this->Path.Step, floor);
       }
       const FrameEvents events = AdvanceFrame(this->Body, this->Path, k, settling,
                                               near ? &floor : nullptr, this->State.Flight);

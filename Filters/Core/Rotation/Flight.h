@@ -12,7 +12,9 @@ namespace waft
 /// What the air does along the path, one sample a frame.
 struct FlightPath
 {
-  double Step = 1.0 / 30.0;             // s between frames
+  /// s between frames, of the turning: a body that is turned as a larger one of the same form is,
+  /// in like proportion more slowly, has shorter ones.
+  double Step = 1.0 / 30.0;
   std::vector<Vec3> RelativeVelocities; // m/s, of the centre relative to the air, world
   std::vector<Mat3> AirGradients;       // 1/s, of the air's velocity, world; or empty
   /// rad/s, world: half the air's vorticity, at which a body turns that nothing but the stickiness

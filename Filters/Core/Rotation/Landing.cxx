@@ -128,9 +128,8 @@ double Landing::Give(int frame) const
          std::min(SmoothStep((frame - this->First) / span), SmoothStep((this->End - frame) / span));
 }
 
-void Landing::Support(int frame, const Quat& orientation, Floor& floor) const
+void Landing::Support(int frame, const Quat& orientation, double step, Floor& floor) const
 {
-  const double step = this->Plan->Time.Step();
   const double rise = this->Rise(frame, orientation);
   floor.Height += rise;
   floor.Rate += (this->Rise(frame + 1, orientation) - rise) / step;

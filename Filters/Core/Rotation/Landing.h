@@ -29,8 +29,9 @@ public:
   /// What draws the body to a side that is asked for, or level where there is no ground.
   Settling Draw(int frame, const Quat& orientation) const;
 
-  /// Sets what the floor may do to a body of this pose from a frame to the next.
-  void Support(int frame, const Quat& orientation, Floor& floor) const;
+  /// Sets what the floor may do to a body of this pose from a frame to the next, which are `step`
+  /// seconds of its turning apart.
+  void Support(int frame, const Quat& orientation, double step, Floor& floor) const;
 
   /// How it lies in the end, coming down like that.
   RestingPose Lay(const Quat& arriving) const;

@@ -8,6 +8,7 @@
 #include "Constraints/Rest.h"
 #include "Rotation/Agreement.h"
 #include "Rotation/Attitude.h"
+#include "Rotation/Pace.h"
 #include "Rotation/RotationReport.h"
 #include "Rotation/StillAir.h"
 #include "Rotation/TurnLimit.h"
@@ -100,16 +101,18 @@ Vec3 Curl(const Mat3& gradient)
               gradient(1, 0) - gradient(0, 1));
 }
 
-/// draw [m/s]: of the weight of a body that glides; 0: its path draws it.
-FlightPath MakePath(const RotationInput& input, std::size_t i, double draw)
+/// draw [m/s]: of the weight of a body that glides; 0: its path draws it. pace: seconds of the
+/// turning in a second.
+FlightPath MakePath(const RotationInput& input, std::size_t i, double draw, double pace)
 {
   const Track& track = input.Tracks[i];
   const bool isDrawn = draw > 0.0;
   FlightPath path;
-  path.Step = input.Scene.Time.Step();
+  const double step = input.Scene.Time.Step();
+  path.Step = pace * step;
   path.RelativeVelocities = isDrawn
                               ? std::vector<Vec3>(track.Positions.size(), -draw * Vec3::UnitZ())
-                              : CentralVelocities(track.Positions, path.Step);
+                              : CentralVelocities(track.Positions, step);
   const bool given = input.Air != nullptr && !input.Air->IsEmpty();
   const bool blown = !given && input.Wind != nullptr && !input.Wind->IsEmpty() &&
                      input.Wind->Meaning == FieldMeaning::Velocity;
@@ -133,7 +136,7 @@ FlightPath MakePath(const RotationInput& input, std::size_t i, double draw)
     }
     if (given)
     {
-      path.AirTurning.push_back(0.5 * Curl(gradient));
+      path.AirTurning.push_back(0.5 / pace * Curl(gradient));
     }
     if (!isDrawn)
     {
@@ -251,7 +254,7 @@ AirCoefficients Varied(AirCoefficients coefficients, const RotationOptions& opti
 /// What lies is drawn by nothing, nor is what a surface brakes shortly before.
 void EndDraw(const AttitudePlan& plan, FlightPath& path)
 {
-  const double braked = std::max(1.0, BrakedTime / path.Step); // frames
+  const double braked = std::max(1.0, BrakedTime * plan.Time.FramesPerSecond); // frames
   for (const auto& rest : plan.Rests)
   {
     for (int k = 0; k < static_cast<int>(path.RelativeVelocities.size()); ++k)
@@ -268,13 +271,20 @@ Glider GliderOf(const RotationInput& input, const RotationOptions& options,
 {
   const TurningLaw law = TurningLawOf(input.Shapes[static_cast<std::size_t>(object.ShapeId)]);
   const AirCoefficients common = Coefficients(law, options);
-  return { shape.Panels,
-           shape.Properties,
-           object.Mass,
-           input.Scene.AirDensity,
-           Varied(common, options, object),
-           options.Damping + law.Damping,
-           options.Follow };
+  Glider glider{ shape.Panels,
+                 shape.Properties,
+                 object.Mass,
+                 input.Scene.AirDensity,
+                 Varied(common, options, object),
+                 options.Damping + law.Damping,
+                 options.Follow };
+  if (options.MaximumTurn <= 0.0)
+  {
+    glider.Pace = PaceOf(glider.DrawnAt(0.0), shape.Properties, object.SettlingSpeed);
+    glider.Damping /= glider.Pace; // what is said a second holds a second
+    glider.Follow /= glider.Pace;
+  }
+  return glider;
 }
 
 /// glider: a body of the shape where bodies glide, or null.
@@ -350,7 +360,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
 
   std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
   result.Away.resize(input.Tracks.size());
-  const double most = options.MaximumTurn * std::acos(-1.0) / 180.0; // rad a frame
+  const double most = MostTurn(options.MaximumTurn, input.Scene.Time); // rad a frame
   constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
   for (std::size_t first = 0; first < outcomes.size(); first += Batch)
   {
@@ -372,7 +382,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  AttitudePlan plan = MakePlan(input, options, object, track);
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
                  plan.Glides = input.Glides;
-                 FlightPath path = MakePath(input, i, draw);
+                 FlightPath path = MakePath(input, i, draw, glider.Pace);
                  if (draw > 0.0)
                  {
                    EndDraw(plan, path);

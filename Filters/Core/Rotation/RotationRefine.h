@@ -35,7 +35,7 @@ struct RotationOptions
   double LandingTime = 0.7;
   double TurningTime = 2.0;
   double TurningRate = 60.0;
-  double MaximumTurn = 60.0;
+  double MaximumTurn = 0.0;
   int RasterSize = 128;
   std::uint64_t Seed = 1;
 
@@ -109,10 +109,11 @@ struct RotationOptions
                        "for; one that asks for more is approached and named." },
           of.TurningRate...);
     visit(OptionField{ "MaximumTurn",
-                       { 5, 180 },
+                       { 0, 180 },
                        "degrees",
                        "The most that a body turns from a frame to the next, in degrees: flutter "
-                       "and tumbling that frames cannot show are slowed to it." },
+                       "and tumbling that frames cannot show are slowed to it. 0: by the body's "
+                       "width, so that an eye can follow; narrow bodies turn as wider ones do." },
           of.MaximumTurn...);
     visit(
       OptionField{ "RasterSize",

@@ -18,7 +18,8 @@ struct Glider
   double Mass;       // kg, that turns
   double AirDensity; // kg/m^3
   AirCoefficients Coefficients;
-  double Damping, Follow; // 1/s, as FlightBody has them
+  double Damping, Follow; // 1/s, as FlightBody has them, of its own turning's seconds
+  double Pace = 1.0;      // those in a second (Pace.h)
 
   /// The body where its weight is its drag broadside at a speed [m/s]: the mass that slips is that
   /// of this weight.

@@ -260,3 +260,56 @@ TEST(TurnLimit, LandingsKeepToIt)
     EXPECT_LE(GreatestTurn(output.Poses[0]), 60.0 * Degree * (1.0 + 1e-9)) << i;
   }
 }
+
+TEST(TurnLimit, ByItselfABodyTurnsAsAnEyeCanFollow)
+{
+  // Narrow, usual and wide, that fall at the speeds of leaves and feathers.
+  for (const double width : { 0.012, 0.03, 0.08 })
+  {
+    for (const double framesPerSecond : { 24.0, 60.0 })
+    {
+      const int frames = static_cast<int>(6.0 * framesPerSecond);
+      RotationInput input =
+        OneObject(Sheet(0.12, width), StraightPath(Vec3(0.0, 0.0, 9.0), Vec3(0.05, 0.0, -0.7),
+                                                   frames, 1.0 / framesPerSecond));
+      input.Scene.Time.FramesPerSecond = framesPerSecond;
+      input.Objects[0].SettlingSpeed = 0.7;
+      input.Objects[0].OrientationGiven = 0;
+      for (int i = 1; i < 16; ++i)
+      {
+        input.Objects.push_back(input.Objects[0]);
+        input.Objects[i].ObjectId = i;
+        input.Tracks.push_back(input.Tracks[0]);
+        input.Tracks[i].ObjectId = i;
+      }
+      std::vector<double> turns; // degrees at 30 frames a second
+      for (const PoseTrack& poses : Refine(input).Poses)
+      {
+        for (std::size_t k = 0; k + 1 < poses.Orientations.size(); ++k)
+        {
+          turns.push_back(Angle(poses.Orientations[k + 1], poses.Orientations[k]) * 180.0 /
+                          std::acos(-1.0) * framesPerSecond / 30.0);
+        }
+      }
+      std::sort(turns.begin(), turns.end());
+      const auto above = [&](double turn)
+      { return turns.end() - std::upper_bound(turns.begin(), turns.end(), turn); };
+      const auto few = static_cast<long>(turns.size() / 20);
+      EXPECT_LE(above(25.0), few) << width;
+      EXPECT_LE(above(39.0), few) << width; // the limit is 40
+      EXPECT_GT(turns[turns.size() / 2], 1.0) << width << ": it does not stand still";
+    }
+  }
+}
+
+TEST(TurnLimit, AWideBodyTurnsAsItFalls)
+{
+  // A pace of 1: as under a limit that nothing comes to.
+  RotationInput input = OneObject(Sheet(0.2, 0.15), SwayingPath(60));
+  const RotationOutput output = Refine(input);
+  RotationOptions options;
+  options.MaximumTurn = 180.0;
+  const RotationOutput unlimited = Refine(input, options);
+  EXPECT_EQ(output.Poses[0].Orientations[59].coeffs(),
+            unlimited.Poses[0].Orientations[59].coeffs());
+}
