@@ -57,8 +57,9 @@ WIDE = {
         {"shape": "leaf", "positions": [[1.5, 1.5, 3.0], [1.5, 0.5, 3.0]]},
     ],
     "constraints": [
-        {"kind": "position", "object": 0, "frame": 10, "value": [0.0, 0.0, 1.9], "radius": 0.1},
-        {"kind": "rest", "object": -1, "frame": 28, "until": 30, "value": [1.5, 0.5, 3.0]},
+        {"kind": "position", "object": 0, "frame": 10, "value": [0.0, 0.0, 1.9], "radius": 0.1,
+         "facing": {"direction": [0.0, -1.0, 0.0], "tolerance": 0.5}},
+        {"kind": "rest", "object": -1, "frame": 28, "until": 30, "value": [1.5, 0.5, 3.0], "faceUp": "any"},
         {"kind": "velocity", "object": 0, "frame": 20, "value": [0.0, 0.0, -0.5], "radius": 1.0},
         {"kind": "acceleration", "object": 0, "frame": 20, "value": [0.0, 0.0, 0.0], "radius": 1.0},
         {"kind": "orientation", "object": 0, "frame": 20, "value": [1.0, 0.0, 0.0, 0.0], "radius": 0.5},

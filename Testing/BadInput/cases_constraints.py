@@ -45,6 +45,11 @@ def cases():
                          f"{keyframe}/velocity")
     for assign in ("best", "", 1):
         yield scene_case(group, f"assign '{assign}'", with_value(WIDE, f"{keyframe}/assign", assign), f"{keyframe}/assign")
+    for side in ("left", "", 1, None):
+        yield scene_case(group, f"faceUp {side}", with_value(WIDE, "/constraints/1/faceUp", side), "/constraints/1/faceUp")
+    yield scene_case(group, "faceUp without rest", with_value(WIDE, f"{keyframe}/faceUp", "up"), keyframe)
+    yield scene_case(group, "facing nowhere", with_value(WIDE, "/constraints/0/facing/direction", [0.0, 0.0, 0.0]),
+                     "/constraints/0/facing")
     yield scene_case(group, "until without rest", with_value(WIDE, f"{keyframe}/until", 30), keyframe)
     yield scene_case(group, "targets of two kinds", with_value(WIDE, f"{keyframe}/targets/text", "I"), keyframe)
     yield scene_case(group, "targets of no kind", with_value(WIDE, f"{keyframe}/targets", {}), keyframe)

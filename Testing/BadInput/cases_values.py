@@ -8,13 +8,13 @@ POSITIVE = ("/time/framesPerSecond", "/air/density", "/shapes/leaf/size", "/shap
             "/constraints/7/targets/width", "/obstacles/1/radius", "/obstacles/2/radius", "/winds/0/radius",
             "/winds/0/duration", "/vortices/0/duration", "/vortices/0/coreRadius")
 NOT_NEGATIVE = ("/seed", "/objects/0/settlingSpeed", "/objects/0/clearanceRadius", "/objects/0/restHeight",
-                "/constraints/0/radius", "/constraints/2/radius", "/constraints/3/radius", "/constraints/4/radius",
+                "/constraints/0/radius", "/constraints/0/facing/tolerance", "/constraints/2/radius", "/constraints/3/radius", "/constraints/4/radius",
                 "/constraints/5/radius", "/constraints/6/radius", "/objects/1/seed", "/obstacles/0/id", "/objects/0/id")
 WHOLE = ("/seed", "/time/frames", "/objects/0/id", "/objects/1/count", "/constraints/0/object", "/constraints/0/frame",
          "/constraints/1/until", "/constraints/5/firstFrame", "/constraints/7/targets/count", "/obstacles/0/id",
          "/obstacles/1/motion/0/frame")
 REQUIRED = ("/objects/0/shape", "/objects/0/position", "/objects/1/count", "/objects/1/region", "/objects/1/region/min",
-            "/constraints/0/kind", "/constraints/0/object", "/constraints/0/frame", "/constraints/0/value",
+            "/constraints/0/kind", "/constraints/0/object", "/constraints/0/frame", "/constraints/0/value", "/constraints/0/facing/direction",
             "/constraints/5/points", "/constraints/7/targets", "/constraints/7/targets/origin",
             "/constraints/7/targets/width", "/obstacles/0/kind", "/obstacles/0/min", "/obstacles/1/center",
             "/obstacles/1/radius", "/obstacles/2/top", "/obstacles/1/motion/0/frame", "/obstacles/1/motion/0/position",

@@ -81,6 +81,12 @@ std::vector<JoinedRow> JoinReports(const std::vector<ReportRow>& moved,
       line.Status = pose->second->Status;
       line.Message = pose->second->Message;
     }
+    else if (pose != measured.end() && row.Status == ConstraintStatus::Met &&
+             pose->second->Status != ConstraintStatus::Met)
+    {
+      line.Status = pose->second->Status; // it is there, but faces otherwise
+      line.Message = pose->second->Message;
+    }
     if (const auto rest = kept.find(KeyOf(row)); rest != kept.end())
     {
       line.TouchDown = rest->second->TouchDown;

@@ -19,6 +19,7 @@ namespace waft
 namespace
 {
 constexpr double SamePose = 0.02;                   // rad, from where on flown poses go on
+constexpr double FacingTime = 0.4;                  // s before its frame that a cone acts
 constexpr std::uint64_t OfStarts = 0x57a2700000000; // streams of Random, one an object
 
 std::string Short(double x)
@@ -71,13 +72,10 @@ private:
     int Frame = 0;
   };
 
-  const Constraint* KeyAt(int first, int last) const
-    /// Seconds of its turning in a second.
-    double Pace() const
-  {
-    return this->Path.Step / this->Plan.Time.Step();
-  }
+  /// Seconds of its turning in a second.
+  double Pace() const { return this->Path.Step / this->Plan.Time.Step(); }
 
+  const Constraint* KeyAt(int first, int last) const
   {
     for (const Constraint& key : this->Plan.Keys)
     {
@@ -193,9 +191,23 @@ private:
     this->Record(frame);
   }
 
+  /// The least turn that brings the body's axis into the cone.
+  static Quat TowardsCone(const Quat& q, const Constraint& key)
+  {
+    const Mat3 axes = q.toRotationMatrix();
+    const Vec3 away = LogMap(LeastTurn(axes.col(2), key.Facing, axes.col(0)));
+    const double angle = away.norm();
+    const double within = key.FacingTolerance * (1.0 - 1e-9);
+    return angle <= within ? q : (ExpMap(away * (1.0 - within / angle)) * q).normalized();
+  }
+
   /// The pose nearest to q that a row allows.
   static Quat Towards(const Quat& q, const Constraint& key)
   {
+    if (!IsAttitude(key.Kind))
+    {
+      return TowardsCone(q, key);
+    }
     const Quat wanted = key.Orientation.normalized();
     if (key.Radius <= 0.0)
     {
@@ -296,7 +308,8 @@ private:
     const Quat target = this->WithinReach(poses[from], from, Towards(poses[k], key), key);
     const Quat missing = target * poses[k].conjugate();
     const Vec3 turn = LogMap(missing);
-    const double most = this->Plan.TurningTime * this->Plan.Time.FramesPerSecond;
+    const double time = IsAttitude(key.Kind) ? this->Plan.TurningTime : FacingTime;
+    const double most = time * this->Plan.Time.FramesPerSecond;
     const double span = std::min<double>(k - from, std::max(most, 1.0));
     for (int i = std::max(from + 1, static_cast<int>(std::ceil(k - span))); i < k; ++i)
     {
@@ -343,7 +356,13 @@ private:
     const auto held = this->Marks.Held.begin();
     const bool isHeld = std::any_of(held + first, held + std::max(first, end) + 1,
                                     [](unsigned char frame) { return frame != 0; });
-    return { this->Plan, rest, this->KeyAt(rest.Frame, rest.Until), isHeld };
+    const auto& keys = this->Plan.Keys;
+    const auto heading = std::find_if(keys.begin(), keys.end(),
+                                      [&](const Constraint& key) {
+                                        return IsAttitude(key.Kind) && key.Frame >= rest.Frame &&
+                                               key.Frame <= rest.Until;
+                                      });
+    return { this->Plan, rest, heading != keys.end() ? &*heading : nullptr, isHeld };
   }
 
   void Land(const PlannedRest& rest, const Landing& landing, int from)

@@ -41,7 +41,7 @@ struct AttitudePlan
   const Shape* Body = nullptr;
   double BoundingRadius = 0.0;    // m
   std::vector<PlannedRest> Rests; // ObstacleId -1: nothing below, it hangs level
-  std::vector<Constraint> Keys;   // orientation rows
+  std::vector<Constraint> Keys;   // orientation rows, and positions that ask where it faces
   const ObstacleSet* Obstacles = nullptr;
   Timeline Time;
   std::uint64_t Seed = 1;    // of the pose in flight, where the object has none given

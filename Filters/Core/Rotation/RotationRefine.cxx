@@ -197,6 +197,10 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
     {
       case ConstraintKind::Position:
         plan.Held.push_back(row.Frame);
+        if (!row.Facing.isZero())
+        {
+          plan.Keys.push_back(row);
+        }
         break;
       case ConstraintKind::Velocity:
       case ConstraintKind::Acceleration:
@@ -215,7 +219,12 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
     }
   }
   const auto earlier = [](const auto& a, const auto& b) { return a.Frame < b.Frame; };
-  std::stable_sort(plan.Keys.begin(), plan.Keys.end(), earlier);
+  // Of one frame a whole orientation counts.
+  std::stable_sort(plan.Keys.begin(), plan.Keys.end(),
+                   [](const Constraint& a, const Constraint& b) {
+                     return a.Frame < b.Frame ||
+                            (a.Frame == b.Frame && IsAttitude(a.Kind) && !IsAttitude(b.Kind));
+                   });
   std::stable_sort(plan.Rests.begin(), plan.Rests.end(), earlier);
   for (std::size_t i = 0; i + 1 < plan.Rests.size(); ++i)
   {
@@ -431,6 +440,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   result.Warnings.insert(result.Warnings.end(), fast.begin(), fast.end());
   result.Slowed = fast;
   ReportOrientations(input, tooFast, result);
+  ReportFacings(input, tooFast, result);
   ReportRests(result);
   output = std::move(result);
   return Result::Ok();

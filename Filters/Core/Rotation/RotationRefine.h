@@ -159,7 +159,8 @@ struct RotationOutput
   /// Those given, rests with TouchDown, the frame of the first contact, and Settled.
   std::vector<Constraint> Constraints;
   /// One line for each orientation row: judged by itself, then measured on the poses, with the
-  /// reason where the greatest turning rate does not do. Then one for each rest that is kept.
+  /// reason where the greatest turning rate does not do. Then one for each position that asks where
+  /// its body faces, by how much it is missed [rad], and one for each rest that is kept.
   std::vector<ReportRow> Report;
   std::vector<std::string> Warnings; // objects and shapes are named; rows that are not met too
   std::vector<std::string> Slowed;   // those of them that tell of MaximumTurn

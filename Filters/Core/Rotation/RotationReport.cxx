@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/RotationReport.h"
 
+#include "Base/NumberText.h"
 #include "Constraints/ConstraintCheck.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace waft
@@ -43,6 +46,71 @@ void ReportOrientations(const RotationInput& input,
     }
   }
 }
+namespace
+{
+/// What of the other rows keeps a body from facing where a row wants it; empty: none does.
+std::string InTheWay(const Constraint& row, const std::vector<Constraint>& rows)
+{
+  for (const Constraint& other : rows)
+  {
+    if (other.ObjectId != row.ObjectId || other.Status != ConstraintStatus::Met)
+    {
+      continue;
+    }
+    if (IsAttitude(other.Kind) && other.Frame == row.Frame)
+    {
+      return "the orientation of row " + std::to_string(other.Row) + " at this frame";
+    }
+    if (IsRest(other.Kind) && row.Frame >= FirstFrame(other) && row.Frame <= LastFrame(other))
+    {
+      return "the rest of row " + std::to_string(other.Row);
+    }
+  }
+  return {};
+}
+} // namespace
+
+void ReportFacings(const RotationInput& input,
+                   const std::map<std::pair<int, int>, std::string>& tooFast,
+                   RotationOutput& output)
+{
+  constexpr double Rounding = 1e-6; // rad
+  for (const Constraint& row : input.Constraints)
+  {
+    const auto poses =
+      std::find_if(output.Poses.begin(), output.Poses.end(),
+                   [&](const PoseTrack& own) { return own.ObjectId == row.ObjectId; });
+    if (row.Facing.isZero() || !IsPassing(row.Kind) || poses == output.Poses.end() ||
+        row.Frame < 0 || row.Frame >= static_cast<int>(poses->Orientations.size()))
+    {
+      continue;
+    }
+    const Vec3 axis = poses->Orientations[static_cast<std::size_t>(row.Frame)] * Vec3::UnitZ();
+    const double angle = std::atan2(axis.cross(row.Facing).norm(), axis.dot(row.Facing));
+    ReportRow line;
+    line.Row = row.Row;
+    line.Target = row.Target;
+    line.ObjectId = row.ObjectId;
+    line.Frame = row.Frame;
+    line.Kind = row.Kind;
+    line.Residual = std::max(0.0, angle - row.FacingTolerance);
+    if (line.Residual > Rounding)
+    {
+      const std::string other = InTheWay(row, input.Constraints);
+      const auto fast = tooFast.find({ row.Row, row.Target });
+      line.Status = other.empty() ? ConstraintStatus::Unreachable : ConstraintStatus::Conflict;
+      line.Message = "row " + std::to_string(row.Row) + ": it faces " + NumberText(angle, 3) +
+                     " rad off its `facing`, expected at most " +
+                     NumberText(row.FacingTolerance, 3);
+      line.Message += !other.empty()          ? ", as " + other + " turns it"
+                      : fast != tooFast.end() ? "; " + fast->second
+                                              : ", as a surface turns it";
+      output.Warnings.push_back("object " + std::to_string(row.ObjectId) + ": " + line.Message);
+    }
+    output.Report.push_back(line);
+  }
+}
+
 void TakeRestTimes(int objectId, const std::vector<RestTimes>& rests, RotationOutput& output)
 {
   for (const RestTimes& rest : rests)

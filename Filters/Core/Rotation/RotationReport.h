@@ -19,6 +19,12 @@ void ReportOrientations(const RotationInput& input,
                         const std::map<std::pair<int, int>, std::string>& tooFast,
                         RotationOutput& output);
 
+/// A line for each position that asks where its body faces, with the angle [rad] by which it is
+/// missed and why; warns of those.
+void ReportFacings(const RotationInput& input,
+                   const std::map<std::pair<int, int>, std::string>& tooFast,
+                   RotationOutput& output);
+
 /// Says in an object's rows when its rests began.
 void TakeRestTimes(int objectId, const std::vector<RestTimes>& rests, RotationOutput& output);
 

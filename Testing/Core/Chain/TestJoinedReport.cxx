@@ -64,3 +64,14 @@ TEST(JoinedReport, TellsWhenRestsBeginAndEnd)
   EXPECT_EQ(joined[0].Settled, 33);
   EXPECT_EQ(joined[0].LiftOff, 40);
 }
+
+TEST(JoinedReport, APlaceThatIsMetMayFaceOtherwise)
+{
+  ReportRow faces = Line(2, ConstraintStatus::Conflict, "it faces elsewhere");
+  faces.Residual = 0.4;
+  const std::vector<JoinedRow> joined =
+    JoinReports({ Line(2, ConstraintStatus::Met, "") }, {}, { faces }, {});
+  EXPECT_EQ(joined[0].Status, ConstraintStatus::Conflict);
+  EXPECT_EQ(joined[0].Message, "it faces elsewhere");
+  EXPECT_EQ(joined[0].Residual, 0.0) << "of the place";
+}

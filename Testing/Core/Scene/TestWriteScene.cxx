@@ -39,7 +39,8 @@ void ExpectSameRows(const std::vector<Constraint>& a, const std::vector<Constrai
                         {
                           return std::tie(item.ObjectId, item.Frame, item.Kind, item.Value,
                                           item.Orientation.coeffs(), item.Radius, item.Until,
-                                          item.Row, item.Target, item.Group, item.ClassId);
+                                          item.Row, item.Target, item.Group, item.ClassId,
+                                          item.Side, item.Facing, item.FacingTolerance);
                         });
 }
 
@@ -123,18 +124,20 @@ const char* const Full =
       "restHeight": 0.01, "class": "green"},
     {"shape": "leaf", "position": [1, -1, 4.5], "class": ""}],
   "constraints": [
-    {"kind": "position", "object": 40, "frame": 20, "value": [0, 0, 2], "radius": 0.1},
+    {"kind": "position", "object": 40, "frame": 20, "value": [0, 0, 2], "radius": 0.1,
+      "facing": {"direction": [0, -1, 0], "tolerance": 0.3}},
     {"kind": "position", "object": -1, "frame": 30, "value": [0, 0.1, 2]},
-    {"kind": "rest", "object": 0, "frame": 40, "until": 50, "value": [0, 0, 2]},
+    {"kind": "rest", "object": 0, "frame": 40, "until": 50, "value": [0, 0, 2], "faceUp": "down"},
     {"kind": "velocity", "object": 1, "frame": 20, "value": [0, 0, 0.3], "radius": 0.1},
     {"kind": "acceleration", "object": 1, "frame": 30, "value": [0, 0, 0]},
     {"kind": "orientation", "object": 1, "frame": 20, "value": [1, 0.2, 0, 0], "radius": 0.1},
     {"kind": "path", "object": 2, "firstFrame": 20, "points": [[0, 0, 1], [0, 0.1, 1]], "radius": 0.02},
     {"kind": "path", "object": 2, "firstFrame": 30, "points": [[0, 0.2, 1]]},
     {"kind": "keyframe", "frame": 55, "targets": {"text": "L", "origin": [0, 0, 0.5], "width": 2},
-      "velocity": "rest", "until": 80},
+      "velocity": "rest", "until": 80, "faceUp": "up"},
     {"kind": "keyframe", "frame": 84, "targets": {"points": [[0, 0, 1], [1, 0, 1], [1, 1, 1]]},
-      "velocity": [0, 0, 1], "objects": [3, -1, 2], "assign": "inOrder", "radius": 0.3},
+      "velocity": [0, 0, 1], "objects": [3, -1, 2], "assign": "inOrder", "radius": 0.3,
+      "facing": {"direction": [0, 0, 1], "tolerance": 0.35}},
     {"kind": "keyframe", "frame": 85, "targets": {"image": "LICENSE", "origin": [0, 0, 1], "width": 2,
       "count": 4, "classes": {"red": [1, 0, 0], "blue": [0, 0, 1]}}},
     {"kind": "keyframe", "frame": 86, "targets": {"points": [[0, 0, 1], [1, 0, 1]],

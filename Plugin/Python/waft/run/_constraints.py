@@ -15,6 +15,8 @@ def constraint_report(pipeline):
         measured = turned.get((row["Row"], row["Target"]))
         if measured is not None and row["Kind"] == "orientation" and row["Status"] == "met":
             row.update((name, measured[name]) for name in ("Residual", "Status", "Message"))
+        elif measured is not None and row["Status"] == "met" != measured["Status"]:  # it is there, but faces otherwise
+            row.update((name, measured[name]) for name in ("Status", "Message"))
     _add_rests(pipeline, report)
     return report
 
