@@ -107,6 +107,8 @@ waft::Result vtkAirAssimilationFilter::Internals::Take(vtkInformationVector** in
   {
     WAFT_RETURN_IF_FAILED(waft::BodiesFromMultiBlock(shapes, input.Shapes));
   }
+  static_cast<waft::TurningOptions&>(input.Turning) =
+    waft::OptionsOf<waft::TurningOptions>(*this->Self);
   input.Obstacles = this->Fields.TakeObstacles();
   input.Wind = this->Fields.TakeWind();
   return input.Wind.Validate("Wind");
@@ -161,7 +163,7 @@ void vtkAirAssimilationFilter::Internals::FillVarying(double time,
 
 vtkAirAssimilationFilter::vtkAirAssimilationFilter() : Impl(std::make_unique<Internals>(this))
 {
-  waft::TakeDefaults<waft::AssimilationOptions>(*this);
+  waft::TakeDefaults<waft::AssimilationOptions, waft::TurningOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
@@ -170,7 +172,7 @@ vtkAirAssimilationFilter::~vtkAirAssimilationFilter() = default;
 
 double vtkAirAssimilationFilter::InRange(const char* property, double value)
 {
-  return waft::InRange<waft::AssimilationOptions>(property, value);
+  return waft::InRange<waft::AssimilationOptions, waft::TurningOptions>(property, value);
 }
 
 waft::KeptStage& vtkAirAssimilationFilter::Kept()
@@ -202,11 +204,11 @@ vtkTypeBool vtkAirAssimilationFilter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector** inputs,
                                                      vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
-                              waft::RangesOf<waft::AssimilationOptions, waft::SliceOptions>(*this),
-                              [&](vtkInformationVector** taken) {
-                                return this->Superclass::ProcessRequest(request, taken, outputs);
-                              });
+  return waft::GuardedRequest(
+    this, request, inputs, outputs, Inputs,
+    waft::RangesOf<waft::AssimilationOptions, waft::TurningOptions, waft::SliceOptions>(*this),
+    [&](vtkInformationVector** taken)
+    { return this->Superclass::ProcessRequest(request, taken, outputs); });
 }
 
 int vtkAirAssimilationFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -240,6 +242,6 @@ int vtkAirAssimilationFilter::RequestData(vtkInformation* request, vtkInformatio
 void vtkAirAssimilationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  waft::PrintFields<waft::AssimilationOptions>(os, indent, *this);
+  waft::PrintFields<waft::AssimilationOptions, waft::TurningOptions>(os, indent, *this);
   os << indent << "Active: " << this->Active << "\n";
 }

@@ -37,6 +37,7 @@
 namespace waft
 {
 struct AssimilationOptions;
+struct TurningOptions;
 } // namespace waft
 
 class VTKWAFTFILTERS_EXPORT vtkAirAssimilationFilter : public vtkSlicedPolyDataAlgorithm
@@ -58,6 +59,16 @@ public:
   WaftProperty(double, Smoothness);
   WaftProperty(double, TouchDownSpread);
   WaftProperty(double, Glide);
+  WaftProperty(int, Model);
+  WaftProperty(double, Damping);
+  WaftProperty(double, Lift);
+  WaftProperty(double, PressureShift);
+  WaftProperty(double, Follow);
+  WaftProperty(double, Roll);
+  WaftProperty(double, Spin);
+  WaftProperty(double, VariationPerObject);
+  WaftProperty(double, MaximumTurn);
+  WaftProperty(int, RasterSize);
   WaftFlag(Inertia);
   WaftProperty(double, TimeLimit);
   WaftProperty(int, Seed);
@@ -109,6 +120,7 @@ private:
 
   // Whose fields the properties are.
   friend struct waft::AssimilationOptions;
+  friend struct waft::TurningOptions;
 
   bool Active = true;
 

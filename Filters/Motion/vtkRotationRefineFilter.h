@@ -43,6 +43,7 @@
 namespace waft
 {
 struct RotationOptions;
+struct TurningOptions;
 }
 
 class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkSlicedPolyDataAlgorithm
@@ -107,6 +108,7 @@ private:
 
   // Whose fields the properties are.
   friend struct waft::RotationOptions;
+  friend struct waft::TurningOptions;
 
   bool Active = true;
 

@@ -77,7 +77,7 @@ std::vector<ChainStageTraits> MakeStages()
         { "Vortices", { { { scene, "Vortices" } } } },
         shapes },
       { "Tracks", "Air", "Vortices", "Constraints", "Report", "Rounds" },
-      FieldsOf<AssimilationOptions>() },
+      FieldsOf<AssimilationOptions, TurningOptions>() },
     { optimiser,
       "Spacetime",
       "SPHSpacetimeFilter",

@@ -3,15 +3,14 @@
 
 #include "Base/BodyLaw.h"
 #include "Base/FractionDone.h"
-#include "Base/Random.h"
 #include "Base/ShapeMeasures.h"
 #include "Constraints/Rest.h"
 #include "Rotation/Agreement.h"
 #include "Rotation/Attitude.h"
 #include "Rotation/Pace.h"
 #include "Rotation/RotationReport.h"
-#include "Rotation/StillAir.h"
 #include "Rotation/TurnLimit.h"
+#include "Rotation/TurningSetup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +20,9 @@ namespace waft
 {
 namespace
 {
-constexpr double BrakedTime = 0.15; // s, before a touch-down and after a lift-off
-
 bool IsBetween(double x, double low, double high)
 {
   return std::isfinite(x) && x >= low && x <= high;
-}
-
-/// How it turns was found with its path.
-bool HasFlown(const Track& track)
-{
-  return !track.Slips.empty();
 }
 
 Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objectOfId)
@@ -93,58 +84,6 @@ Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objec
     }
   }
   return Result::Ok();
-}
-
-Vec3 Curl(const Mat3& gradient)
-{
-  return Vec3(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0),
-              gradient(1, 0) - gradient(0, 1));
-}
-
-/// draw [m/s]: of the weight of a body that glides; 0: its path draws it. pace: seconds of the
-/// turning in a second.
-FlightPath MakePath(const RotationInput& input, std::size_t i, double draw, double pace)
-{
-  const Track& track = input.Tracks[i];
-  const bool isDrawn = draw > 0.0;
-  FlightPath path;
-  const double step = input.Scene.Time.Step();
-  path.Step = pace * step;
-  path.RelativeVelocities = isDrawn
-                              ? std::vector<Vec3>(track.Positions.size(), -draw * Vec3::UnitZ())
-                              : CentralVelocities(track.Positions, step);
-  const bool given = input.Air != nullptr && !input.Air->IsEmpty();
-  const bool blown = !given && input.Wind != nullptr && !input.Wind->IsEmpty() &&
-                     input.Wind->Meaning == FieldMeaning::Velocity;
-  for (std::size_t k = 0; k < track.Positions.size(); ++k)
-  {
-    Mat3 gradient = Mat3::Zero();
-    Vec3 air = Vec3::Zero();
-    if (given)
-    {
-      air = input.Air->Velocity(i, k);
-      gradient = input.Air->Gradient(i, k);
-    }
-    else if (blown)
-    {
-      const double time = input.Scene.Time.Time(static_cast<double>(k));
-      air = input.Wind->Sample(track.Positions[k], time, gradient);
-    }
-    if (given || blown)
-    {
-      path.AirGradients.push_back(gradient);
-    }
-    if (given)
-    {
-      path.AirTurning.push_back(0.5 / pace * Curl(gradient));
-    }
-    if (!isDrawn)
-    {
-      path.RelativeVelocities[k] -=
-        given || track.AirVelocities.empty() ? air : track.AirVelocities[k];
-    }
-  }
-  return path;
 }
 
 PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const RotationInput& input)
@@ -231,94 +170,6 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
     plan.Rests[i].Until = std::min(plan.Rests[i].Until, plan.Rests[i + 1].Frame);
   }
   return plan;
-}
-
-AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& options)
-{
-  AirCoefficients coefficients;
-  coefficients.Model = options.Model;
-  coefficients.Drag = law.Drag;
-  coefficients.Lift = options.Lift;
-  coefficients.PressureShift = options.PressureShift;
-  coefficients.Autorotation *= options.Roll;
-  coefficients.Spin = options.Spin;
-  return coefficients;
-}
-
-/// No two leaves are cut alike.
-AirCoefficients Varied(AirCoefficients coefficients, const RotationOptions& options,
-                       const MotionObject& object)
-{
-  Random random(options.Seed, 0x70053 + static_cast<std::uint64_t>(object.ObjectId));
-  const auto vary = [&](double& value)
-  { value *= 1.0 + options.VariationPerObject * random.Uniform(-1.0, 1.0); };
-  vary(coefficients.Drag);
-  vary(coefficients.Lift);
-  vary(coefficients.PressureShift);
-  vary(coefficients.RotationalLift);
-  vary(coefficients.Spin);
-  return coefficients;
-}
-
-/// What lies is drawn by nothing, nor is what a surface brakes shortly before.
-void EndDraw(const AttitudePlan& plan, FlightPath& path)
-{
-  const double braked = std::max(1.0, BrakedTime * plan.Time.FramesPerSecond); // frames
-  for (const auto& rest : plan.Rests)
-  {
-    for (int k = 0; k < static_cast<int>(path.RelativeVelocities.size()); ++k)
-    {
-      const double left = k <= rest.Frame ? rest.Frame - k : k - rest.Until;
-      path.RelativeVelocities[static_cast<std::size_t>(k)] *= std::clamp(left / braked, 0.0, 1.0);
-    }
-  }
-}
-
-/// By the object's own coefficients.
-Glider GliderOf(const RotationInput& input, const RotationOptions& options,
-                const PreparedShape& shape, const MotionObject& object)
-{
-  const TurningLaw law = TurningLawOf(input.Shapes[static_cast<std::size_t>(object.ShapeId)]);
-  const AirCoefficients common = Coefficients(law, options);
-  Glider glider{ shape.Panels,
-                 shape.Properties,
-                 object.Mass,
-                 input.Scene.AirDensity,
-                 Varied(common, options, object),
-                 options.Damping + law.Damping,
-                 options.Follow };
-  if (options.MaximumTurn <= 0.0)
-  {
-    glider.Pace = PaceOf(glider.DrawnAt(0.0), shape.Properties, object.SettlingSpeed);
-    glider.Damping /= glider.Pace; // what is said a second holds a second
-    glider.Follow /= glider.Pace;
-  }
-  return glider;
-}
-
-/// glider: a body of the shape where bodies glide, or null.
-Result Prepare(const RotationInput& input, const RotationOptions& options, std::size_t shapeId,
-               const MotionObject* glider, const ParallelFor& parallel, PreparedShape& shape)
-{
-  const Shape& given = input.Shapes[shapeId];
-  if (!shape.IsPrepared)
-  {
-    WAFT_RETURN_IF_FAILED(ComputeShellProperties(given, shape.Properties));
-    WAFT_RETURN_IF_FAILED(
-      shape.Panels.Build(given, shape.Properties, options.RasterSize, parallel));
-    shape.IsPrepared = true;
-  }
-  if (glider != nullptr && shape.Draw <= 0.0)
-  {
-    const auto one = [&](std::size_t k)
-    {
-      MotionObject object = *glider;
-      object.ObjectId = static_cast<int>(k); // one as they differ
-      return GliderOf(input, options, shape, object);
-    };
-    shape.Draw = DrawOverFall(one, LawOf(*glider).SettlingSpeed(), parallel);
-  }
-  return Result::Ok();
 }
 
 } // namespace
