@@ -31,7 +31,7 @@ CORE_MAY_INCLUDE = {
     "Trajectory": {"Base", "Obstacles", "Store"},
     "Database": {"Base", "Grid", "Obstacles", "Store", "Trajectory"},
     "Planning": {"Base", "Constraints", "Obstacles", "Trajectory"},
-    "Air": {"Base", "Constraints", "Grid", "Obstacles", "Store"},
+    "Air": {"Base", "Constraints", "Grid", "Obstacles", "Rotation", "Store"},
     "Vortex": {"Base"},
     "Particles": {"Base", "Obstacles"},
     "Spacetime": {"Base", "Constraints", "Obstacles", "Particles", "Store", "Vortex"},
