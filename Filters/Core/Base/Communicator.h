@@ -11,8 +11,8 @@
 namespace waft
 {
 
-/// An implementation gives SendReceive alone. Nothing here fails: where ranks cannot be reached the
-/// implementation ends the program, as MPI does.
+/// An implementation gives SendReceive and HasMessage alone. Nothing here fails: where ranks cannot
+/// be reached the implementation ends the program, as MPI does.
 class Communicator
 {
 public:
@@ -25,6 +25,8 @@ public:
   /// size of zero moves nothing in its direction.
   virtual void SendReceive(int other, const void* sent, std::size_t sentSize, void* received,
                            std::size_t receivedSize) = 0;
+  /// Whether something that another rank sent can be received without waiting.
+  virtual bool HasMessage(int from) = 0;
 
   /// The bytes of one rank, on all of them: all call it, as Largest.
   void Broadcast(void* bytes, std::size_t size, int from = 0)
@@ -35,6 +37,16 @@ public:
   void Broadcast(const void* sent, void* received, std::size_t size, int from);
   /// The largest of all ranks' values.
   double Largest(double value);
+};
+
+/// No others.
+class SingleRank : public Communicator
+{
+public:
+  int Rank() const override { return 0; }
+  int Size() const override { return 1; }
+  void SendReceive(int, const void*, std::size_t, void*, std::size_t) override {}
+  bool HasMessage(int) override { return false; }
 };
 
 /// What rank 0 writes here the others read: a function that writes and reads a structure makes it

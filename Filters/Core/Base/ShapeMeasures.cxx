@@ -28,7 +28,7 @@ bool IsClosed(const TriangleMesh& mesh)
 }
 
 /// Has it no area, but for what single precision cannot tell from none?
-bool IsFlat(const Vec3& a, const Vec3& b, const Vec3& c)
+bool HasNoArea(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   constexpr double thinnest = 1e-6; // height in parts of the longest side
   const double longest =
@@ -53,7 +53,7 @@ std::string RemarkOnFlatTriangles(const TriangleMesh& mesh)
   const auto flat =
     std::count_if(mesh.Triangles.begin(), mesh.Triangles.end(),
                   [&](const std::array<int, 3>& t)
-                  { return IsFlat(mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]]); });
+                  { return HasNoArea(mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]]); });
   return flat == 0
            ? ""
            : std::to_string(flat) + " of " + std::to_string(mesh.Triangles.size()) + " triangles " +

@@ -51,11 +51,11 @@ private:
 
 /// Runs and measures one simulation after the other; `traced` gets those that are whole, when it is
 /// stopped, too.
-Result Simulate(const DatabaseOptions& options, const ParallelFor& parallelFor, Monitor& monitor,
-                std::vector<TracedSimulation>& traced, Coverage& coverage)
+Result Simulate(const DatabaseOptions& options, Communicator& ranks, const ParallelFor& parallelFor,
+                Monitor& monitor, std::vector<TracedSimulation>& traced, Coverage& coverage)
 {
   const TracedFiles files(options.KeptIn, SimulationText(options));
-  SimulationQueue queue(options, files);
+  SimulationQueue queue(options, files, ranks);
   while (static_cast<int>(traced.size()) < options.NumberOfSimulations)
   {
     TracedSimulation next;
@@ -109,6 +109,14 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
                      Monitor& monitor, MotionDatabase& database,
                      std::vector<CoveragePoint>& coverage)
 {
+  SingleRank alone;
+  return BuildDatabase(options, alone, parallelFor, monitor, database, coverage);
+}
+
+Result BuildDatabase(const DatabaseOptions& options, Communicator& ranks,
+                     const ParallelFor& parallelFor, Monitor& monitor, MotionDatabase& database,
+                     std::vector<CoveragePoint>& coverage)
+{
   WAFT_RETURN_IF_FAILED(options.Validate());
   SmokeOptions smoke;
   WAFT_RETURN_IF_FAILED(SmokeOptionsOf(options, smoke));
@@ -120,7 +128,8 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   Coverage measured(options.Cluster.Segmentation, options.FramesPerSecond, options.Bounds.Width(),
                     options.CoverageTolerance);
   SimulationMonitor simulating(monitor);
-  const Result simulated = Simulate(options, parallelFor, simulating, traced.Simulations, measured);
+  const Result simulated =
+    Simulate(options, ranks, parallelFor, simulating, traced.Simulations, measured);
   if (!simulated || (simulated.IsStopped() && traced.Simulations.empty()))
   {
     return simulated;

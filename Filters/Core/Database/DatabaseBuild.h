@@ -7,6 +7,7 @@
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Base/SceneFrame.h"
+#include "Base/SharedWork.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeOptions.h"
 #include "Trajectory/Coverage.h"
@@ -129,6 +130,17 @@ private:
 Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallelFor,
                      Monitor& monitor, MotionDatabase& database,
                      std::vector<CoveragePoint>& coverage);
+/// The same by the threads of several ranks, to the same bits; called by rank 0, while the others
+/// Serve with ServeSimulations among their kinds, as SimulationKind. What VisitSimulations does not
+/// name has the defaults there.
+Result BuildDatabase(const DatabaseOptions& options, Communicator& ranks,
+                     const ParallelFor& parallelFor, Monitor& monitor, MotionDatabase& database,
+                     std::vector<CoveragePoint>& coverage);
+
+inline constexpr const char* SimulationKind = "simulations";
+/// atOnce: simulations that this rank runs side by side.
+Result ServeSimulations(ReadingStream& inputs, SharedItems& items, int atOnce,
+                        const ParallelFor& parallelFor);
 
 /// The seed of one of its simulations.
 std::uint64_t SimulationSeed(std::uint64_t seed, int simulation);

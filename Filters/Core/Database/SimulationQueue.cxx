@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Database/SimulationQueue.h"
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace waft
 {
@@ -12,166 +11,101 @@ namespace waft
 namespace
 {
 
-using Clock = std::chrono::steady_clock;
+/// Between two looks at what others have, when there is nothing else to do.
+constexpr std::chrono::milliseconds Pause(2);
 
-/// Slots advance by whole frames until this much time is over, then those that ended are replaced
-/// and the caller is asked: simulations whose frames take longer do not hold the others up.
-constexpr std::chrono::milliseconds Turn(50);
-
-Result Named(int simulation, const Result& result)
+/// All that a simulation depends on, and what its progress is measured by.
+template <class Options>
+void MoveJob(StateArchive& stream, Options& options)
 {
-  return Result::Error("simulation " + std::to_string(simulation) + ": " + result.Message());
+  DatabaseOptions::VisitSimulations(stream, options);
+  stream.Values(options.NumberOfSimulations);
 }
 
-/// What the simulations of a turn share. The caller's monitor is asked only from the caller's
-/// thread, which may or may not take part.
-struct TurnState
+MemoryStream JobOf(const DatabaseOptions& options)
 {
-  Monitor& Caller;
-  std::thread::id CallingThread;
-  double AllSteps;
-  std::atomic<long> StepsDone;
-  std::atomic<bool> IsStopped{ false };
-};
-
-class SlotMonitor : public Monitor
-{
-public:
-  SlotMonitor(TurnState& turn, std::string text) : Turn(turn), Text(std::move(text)) {}
-  bool Tick(double, const std::string&) override
-  {
-    if (std::this_thread::get_id() == this->Turn.CallingThread &&
-        !this->Turn.Caller.Tick(static_cast<double>(this->Turn.StepsDone) / this->Turn.AllSteps,
-                                this->Text))
-    {
-      this->Turn.IsStopped = true;
-    }
-    return !this->Turn.IsStopped;
-  }
-
-private:
-  TurnState& Turn;
-  std::string Text;
-};
+  MemoryStream stream;
+  MoveJob(stream, options);
+  return stream;
+}
 
 } // namespace
 
-SimulationQueue::SimulationQueue(const DatabaseOptions& options, const TracedFiles& files) :
-  Options(options), Files(files)
+SimulationQueue::SimulationQueue(const DatabaseOptions& options, const TracedFiles& files,
+                                 Communicator& ranks) :
+  Options(options),
+  Files(files), MostWaiting(static_cast<std::size_t>(options.SimulationsAtOnce) * ranks.Size()),
+  Others(ranks, SimulationKind, JobOf(options)), Slots(options)
 {
 }
 
-Result SimulationQueue::FillSlots()
+std::int64_t SimulationQueue::Start()
 {
   // Those that are read from files wait to be handed out, too: no more of them than of the others.
-  const auto most = static_cast<std::size_t>(this->Options.SimulationsAtOnce);
-  while (this->Slots.size() < most && this->Whole.size() < most &&
+  while (this->Whole.size() < this->MostWaiting &&
          this->Started < this->Options.NumberOfSimulations)
   {
     const int simulation = this->Started++;
     TracedSimulation kept;
-    if (this->Files.Read(simulation, kept))
+    if (!this->Files.Read(simulation, kept))
     {
-      this->Whole.emplace(simulation, std::move(kept));
-      this->StepsDone += StepsOfSimulation(this->Options);
-      continue;
+      return simulation;
     }
-    Slot slot;
-    slot.Simulation = simulation;
-    slot.Run = std::make_unique<SimulationRun>();
-    if (Result begun = slot.Run->Begin(this->Options, simulation); !begun)
-    {
-      return Named(simulation, begun);
-    }
-    this->Slots.push_back(std::move(slot));
+    this->Whole.emplace(simulation, std::move(kept));
+    this->StepsDone += StepsOfSimulation(this->Options);
   }
-  return Result::Ok();
+  return -1;
+}
+
+Result SimulationQueue::Keep(std::int64_t simulation, TracedSimulation traced)
+{
+  this->StepsDone += StepsOfSimulation(this->Options);
+  const TracedSimulation& whole = this->Whole[simulation] = std::move(traced);
+  return this->Files.Write(static_cast<int>(simulation), whole);
 }
 
 Result SimulationQueue::Advance(const ParallelFor& parallelFor, Monitor& monitor)
 {
-  const int steps = StepsOfSimulation(this->Options);
-  long done = this->StepsDone;
-  for (const Slot& slot : this->Slots)
+  while (this->Slots.HasRoom())
   {
-    done += slot.StepsTaken;
-  }
-  TurnState turn{ monitor,
-                  std::this_thread::get_id(),
-                  static_cast<double>(steps) * this->Options.NumberOfSimulations,
-                  { done } };
-  const auto advance = [&](Slot& slot)
-  {
-    const Clock::time_point end = Clock::now() + Turn;
-    do
+    const std::int64_t simulation = this->Start();
+    if (simulation < 0)
     {
-      SlotMonitor inner(turn, "Simulation " + std::to_string(slot.Simulation + 1) + " of " +
-                                std::to_string(this->Options.NumberOfSimulations) + ", frame " +
-                                std::to_string(slot.StepsTaken + 1) + " of " +
-                                std::to_string(steps));
-      if (!inner.Tick(0.0, ""))
-      {
-        return;
-      }
-      slot.Outcome = slot.Run->Step(inner);
-      if (!slot.Outcome || slot.Outcome.IsStopped())
-      {
-        return;
-      }
-      ++slot.StepsTaken;
-      ++turn.StepsDone;
-    } while (slot.StepsTaken < steps && Clock::now() < end);
-  };
-  parallelFor(this->Slots.size(),
-              [&](std::size_t begin, std::size_t end)
-              {
-                for (std::size_t s = begin; s < end; ++s)
-                {
-                  advance(this->Slots[s]);
-                }
-              });
-  SlotMonitor last(turn, "Simulating");
-  const bool goesOn = last.Tick(0.0, "");
-  const Result gathered = this->Gather();
-  return gathered && !goesOn ? Result::Stopped() : gathered;
-}
-
-Result SimulationQueue::Gather()
-{
-  for (Slot& slot : this->Slots)
-  {
-    if (!slot.Outcome)
-    {
-      return Named(slot.Simulation, slot.Outcome);
+      break;
     }
-    if (slot.StepsTaken < StepsOfSimulation(this->Options))
-    {
-      continue;
-    }
-    TracedSimulation& whole = this->Whole[slot.Simulation] = slot.Run->Finish();
-    slot.Run.reset();
-    this->StepsDone += slot.StepsTaken;
-    WAFT_RETURN_IF_FAILED(this->Files.Write(slot.Simulation, whole));
+    WAFT_RETURN_IF_FAILED(this->Slots.Begin(static_cast<int>(simulation)));
   }
-  this->Slots.erase(std::remove_if(this->Slots.begin(), this->Slots.end(),
-                                   [](const Slot& slot) { return !slot.Run; }),
-                    this->Slots.end());
-  return Result::Ok();
+  if (this->Whole.count(this->HandedOut) > 0)
+  {
+    return Result::Ok(); // of a file
+  }
+  if (this->Slots.IsEmpty())
+  {
+    std::this_thread::sleep_for(Pause); // the others have the last ones
+  }
+  const Result advanced = this->Slots.Advance(this->StepsDone, parallelFor, monitor);
+  for (auto& [simulation, traced] : this->Slots.TakeWhole())
+  {
+    WAFT_RETURN_IF_FAILED(this->Keep(simulation, std::move(traced)));
+  }
+  if (!advanced || advanced.IsStopped())
+  {
+    return advanced;
+  }
+  return this->Others.Look([this] { return this->Start(); },
+                           [this](std::int64_t simulation, ReadingStream& stream)
+                           {
+                             TracedSimulation traced;
+                             MoveTraced(stream, traced);
+                             return this->Keep(simulation, std::move(traced));
+                           });
 }
 
 Result SimulationQueue::Next(const ParallelFor& parallelFor, Monitor& monitor,
                              TracedSimulation& traced)
 {
-  while (true)
+  while (this->Whole.count(this->HandedOut) == 0)
   {
-    if (!this->IsStopped)
-    {
-      WAFT_RETURN_IF_FAILED(this->FillSlots());
-    }
-    if (this->Whole.count(this->HandedOut) > 0)
-    {
-      break;
-    }
     if (this->IsStopped)
     {
       return Result::Stopped();
@@ -183,6 +117,33 @@ Result SimulationQueue::Next(const ParallelFor& parallelFor, Monitor& monitor,
   auto next = this->Whole.find(this->HandedOut++);
   traced = std::move(next->second);
   this->Whole.erase(next);
+  return Result::Ok();
+}
+
+Result ServeSimulations(ReadingStream& inputs, SharedItems& items, int atOnce,
+                        const ParallelFor& parallelFor)
+{
+  DatabaseOptions options;
+  MoveJob(inputs, options);
+  options.SimulationsAtOnce = atOnce;
+  WAFT_RETURN_IF_FAILED(options.Validate());
+  SimulationSlots slots(options);
+  SilentMonitor silent; // a turn is short
+  while (!items.IsOver())
+  {
+    const std::int64_t simulation = slots.HasRoom() ? items.Take(slots.IsEmpty()) : -1;
+    if (simulation >= 0)
+    {
+      WAFT_RETURN_IF_FAILED(slots.Begin(static_cast<int>(simulation)));
+    }
+    WAFT_RETURN_IF_FAILED(slots.Advance(0, parallelFor, silent));
+    for (auto& [whole, traced] : slots.TakeWhole())
+    {
+      MemoryStream result;
+      MoveTraced(result, traced);
+      items.Give(whole, std::move(result.Content));
+    }
+  }
   return Result::Ok();
 }
 

@@ -14,19 +14,6 @@ namespace
 
 constexpr StateKind TracedKind = { "traced simulation", 3 };
 
-// All that a database is made from.
-template <class Traced>
-void Move(StateArchive& file, Traced& traced)
-{
-  file.Values(traced.Vortices);
-  file.Length(traced.Tracks);
-  for (auto& track : traced.Tracks)
-  {
-    file.Values(track.ObjectId, track.Positions, track.ForceTypes, track.VortexIds,
-                track.WindAccelerations);
-  }
-}
-
 } // namespace
 
 TracedFiles::TracedFiles(std::string folder, std::string parameters) :
@@ -49,7 +36,7 @@ bool TracedFiles::Read(int simulation, TracedSimulation& traced) const
   TracedSimulation read;
   const auto content = [&read](StateArchive& file)
   {
-    Move(file, read);
+    MoveTraced(file, read);
     return true;
   };
   if (ReadStateFile(this->PathOf(simulation), TracedKind, DigestOf(this->Parameters, simulation),
@@ -75,7 +62,7 @@ Result TracedFiles::Write(int simulation, const TracedSimulation& traced) const
   }
   StateFileWriter file(this->PathOf(simulation), TracedKind,
                        DigestOf(this->Parameters, simulation));
-  Move(file, traced);
+  MoveTraced(file, traced);
   return file.Commit();
 }
 

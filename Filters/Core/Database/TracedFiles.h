@@ -4,12 +4,26 @@
 #pragma once
 
 #include "Base/Result.h"
+#include "Base/StateArchive.h"
 #include "Trajectory/TrajectoryClusters.h"
 
 #include <string>
 
 namespace waft
 {
+
+/// All that a database is made from.
+template <class Traced>
+void MoveTraced(StateArchive& stream, Traced& traced)
+{
+  stream.Values(traced.Vortices);
+  stream.Length(traced.Tracks);
+  for (auto& track : traced.Tracks)
+  {
+    stream.Values(track.ObjectId, track.Positions, track.ForceTypes, track.VortexIds,
+                  track.WindAccelerations);
+  }
+}
 
 /// A folder with one file a simulation. Each file says what it was made from; what does not fit or
 /// was damaged counts as missing.

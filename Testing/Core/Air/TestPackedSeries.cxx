@@ -26,7 +26,7 @@ std::vector<char> Pack(const Values& values)
 
 void ExpectReadsBack(const Values& values)
 {
-  test::ReadingStream stream(Pack(values));
+  ReadingStream stream(Pack(values));
   Values read;
   ReadPacked(stream, read);
   EXPECT_TRUE(stream.IsGood());
@@ -84,7 +84,7 @@ TEST(PackedSeries, DamagedBytesAreRefused)
   const std::vector<char> whole = Pack(Values(3, std::vector<Half3>(50, Half3{ 1, 2, 3 })));
   for (std::size_t length = 0; length < whole.size(); ++length)
   {
-    test::ReadingStream stream(
+    ReadingStream stream(
       std::vector<char>(whole.begin(), whole.begin() + static_cast<long>(length)));
     Values read;
     ReadPacked(stream, read);
@@ -94,7 +94,7 @@ TEST(PackedSeries, DamagedBytesAreRefused)
   std::vector<char> many = whole;
   const std::uint64_t points = 1000000000;
   std::memcpy(many.data() + sizeof(std::uint64_t), &points, sizeof(points));
-  test::ReadingStream stream(many);
+  ReadingStream stream(many);
   Values read;
   ReadPacked(stream, read);
   EXPECT_FALSE(stream.IsGood());

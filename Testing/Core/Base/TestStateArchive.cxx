@@ -97,7 +97,7 @@ TEST(StateArchive, ReadsBackWhatWasWrittenOfAConstValueToo)
   EXPECT_EQ(BytesOf(changeable), bytes);
   Sample read = Other();
   EXPECT_NE(BytesOf(read), bytes);
-  test::ReadingStream stream(bytes);
+  ReadingStream stream(bytes);
   stream.Values(read);
   EXPECT_TRUE(stream.IsGood());
   EXPECT_EQ(stream.Left(), 0u);
@@ -114,7 +114,7 @@ TEST(StateArchive, ReadsBackWhatWasWrittenOfAConstValueToo)
 TEST(StateArchive, ReadsNothingIntoAConstValue)
 {
   const int seven = 7;
-  test::ReadingStream stream(BytesOf(seven));
+  ReadingStream stream(BytesOf(seven));
   const int kept = 1;
   stream.Values(kept);
   EXPECT_FALSE(stream.IsGood());
@@ -129,10 +129,10 @@ TEST(StateArchive, BelievesNoNumberOfItems)
   {
     std::vector<char> damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
-    test::ReadingStream stream(damaged); // must not ask for petabytes
+    ReadingStream stream(damaged); // must not ask for petabytes
     Sample read;
     stream.Values(read);
-    test::ReadingStream cut({ whole.begin(), whole.begin() + static_cast<long>(at) });
+    ReadingStream cut({ whole.begin(), whole.begin() + static_cast<long>(at) });
     cut.Values(read);
     EXPECT_FALSE(cut.IsGood()) << at;
   }

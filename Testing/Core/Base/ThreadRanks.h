@@ -38,6 +38,11 @@ public:
     messages.pop();
     return message;
   }
+  bool IsThere(int from, int to)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return !this->Messages[{ from, to }].empty();
+  }
   bool IsEmpty() const
   {
     for (const auto& entry : this->Messages)
@@ -76,6 +81,7 @@ public:
       std::memcpy(received, message.data(), std::min(message.size(), receivedSize));
     }
   }
+  bool HasMessage(int from) override { return this->Mail.IsThere(from, this->Own); }
   bool AllFit = true; // what came had the size that was expected
 
 private:

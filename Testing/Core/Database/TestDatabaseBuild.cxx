@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/TemporaryFolder.h"
+#include "Base/ThreadRanks.h"
 #include "Database/DatabaseBuild.h"
 #include "Database/SimulationRun.h"
 #include "Obstacles/ObstacleSet.h"
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -242,6 +244,68 @@ TEST(DatabaseBuild, WarmUpByStepsIsThatOfTheSolver)
     EXPECT_LT((mean - expected).norm(), 0.12);
   }
   EXPECT_GT(fastest, 0.3);
+}
+
+TEST(DatabaseBuild, IsTheSameOnAnyNumberOfRanks)
+{
+  const test::TemporaryFolder folder;
+  DatabaseOptions options = Small();
+  options.NumberOfSimulations = 5;
+  options.NumberOfFrames = 40;
+  options.Resolution = 12;
+  options.SettlingSpeed = 0.3; // which the other ranks have to be told
+  const Built alone = BuildAll(options, 2);
+  const auto onRanks = [&options](int size, Monitor& monitor)
+  {
+    Built built;
+    std::vector<int> served(static_cast<std::size_t>(size), 0);
+    const auto serve = [](int& count)
+    {
+      return [&count](ReadingStream& inputs, SharedItems& items)
+      {
+        ++count;
+        return ServeSimulations(inputs, items, 2, SerialFor());
+      };
+    };
+    EXPECT_TRUE(RunRanks(size,
+                         [&](Communicator& ranks)
+                         {
+                           if (!ranks.IsFirst())
+                           {
+                             Serve(ranks, { { SimulationKind, serve(served[ranks.Rank()]) } });
+                             return;
+                           }
+                           built.Outcome = BuildDatabase(options, ranks, SerialFor(), monitor,
+                                                         built.Database, built.Coverage);
+                           Release(ranks);
+                         }));
+    EXPECT_EQ(std::count(served.begin(), served.end(), 1), size - 1);
+    return built;
+  };
+  SilentMonitor silent;
+  for (const int size : { 2, 3, 7 })
+  {
+    options.SimulationsAtOnce = size == 3 ? 2 : 1;
+    options.KeptIn = size == 2 ? "" : folder.File("kept" + std::to_string(size));
+    const Built built = onRanks(size, silent);
+    ASSERT_TRUE(built.Outcome) << built.Outcome.Message();
+    test::ExpectSame(built.Database, alone.Database);
+    ASSERT_EQ(built.Coverage.size(), alone.Coverage.size());
+    EXPECT_EQ(built.Coverage.back().NewShare, alone.Coverage.back().NewShare);
+  }
+  // Kept by the first alone: all are read, but one that was lost.
+  std::filesystem::remove(options.KeptIn + "/simulation2");
+  test::ExpectSame(onRanks(2, silent).Database, alone.Database);
+
+  options.KeptIn.clear();
+  StopFrom monitor(0.4);
+  const Built stopped = onRanks(2, monitor);
+  EXPECT_TRUE(stopped.Outcome.IsStopped());
+  EXPECT_LT(stopped.Coverage.size() + 1, 5u);
+  options.StopBelow = 1.0;
+  const Built covered = onRanks(3, silent);
+  EXPECT_TRUE(covered.Outcome && !covered.Outcome.IsStopped());
+  EXPECT_EQ(covered.Coverage.size(), 1u);
 }
 
 TEST(DatabaseBuild, StoppedItGivesTheSimulationsThatAreWhole)

@@ -265,7 +265,7 @@ TEST(SolverState, GoesToBytesAndBackWithoutALoss)
   state.Sweep.Energies = { 1.0 };
   const std::vector<char> bytes = BytesOf(state);
 
-  test::ReadingStream reader(bytes);
+  ReadingStream reader(bytes);
   SolverState back;
   reader.Values(back);
   EXPECT_TRUE(reader.IsGood());

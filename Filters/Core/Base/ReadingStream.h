@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads back what a MemoryStream kept.
+// Reads back what a MemoryStream kept, of this rank or of another.
 #pragma once
 
 #include "Base/StateArchive.h"
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace waft::test
+namespace waft
 {
 
 class ReadingStream : public StateArchive
@@ -35,4 +35,4 @@ private:
   std::size_t At = 0;
 };
 
-} // namespace waft::test
+} // namespace waft

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/SharedWork.h"
+
+#include <exception>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+using Word = WorkMessage::Word;
+
+void Say(Communicator& ranks, int rank, Word word, std::int64_t item = 0, std::size_t size = 0)
+{
+  const WorkMessage message{ word, item, static_cast<std::int64_t>(size) };
+  ranks.SendReceive(rank, &message, sizeof(message), nullptr, 0);
+}
+
+WorkMessage HearFrom(Communicator& ranks, int rank)
+{
+  WorkMessage message{ Word::Over };
+  ranks.SendReceive(rank, nullptr, 0, &message, sizeof(message));
+  return message;
+}
+
+std::vector<char> BytesFrom(Communicator& ranks, int rank, std::int64_t size)
+{
+  std::vector<char> bytes(static_cast<std::size_t>(size));
+  ranks.SendReceive(rank, nullptr, 0, bytes.data(), bytes.size());
+  return bytes;
+}
+
+Result Work(Communicator& ranks, const WorkMessage& job, const WorkKinds& kinds, SharedItems& items)
+{
+  const std::vector<char> name = BytesFrom(ranks, 0, job.Item);
+  ReadingStream inputs(BytesFrom(ranks, 0, job.Size));
+  const auto kind = kinds.find(std::string(name.begin(), name.end()));
+  if (kind == kinds.end())
+  {
+    return Result::Error(
+      "a process knows nothing of a job that is shared: expected processes of one Waft");
+  }
+  try
+  {
+    return kind->second(inputs, items);
+  }
+  catch (const std::exception& error)
+  {
+    return Result::Error(error.what());
+  }
+}
+
+} // namespace
+
+WorkSharing::WorkSharing(Communicator& ranks, const std::string& kind, const MemoryStream& inputs) :
+  Ranks(ranks), Waiting(static_cast<std::size_t>(ranks.Size()), 0)
+{
+  for (int r = 1; r < ranks.Size(); ++r)
+  {
+    Say(ranks, r, Word::Job, static_cast<std::int64_t>(kind.size()), inputs.Content.size());
+    ranks.SendReceive(r, kind.data(), kind.size(), nullptr, 0);
+    ranks.SendReceive(r, inputs.Content.data(), inputs.Content.size(), nullptr, 0);
+  }
+}
+
+WorkSharing::~WorkSharing()
+{
+  for (int r = 1; r < this->Ranks.Size(); ++r)
+  {
+    Say(this->Ranks, r, Word::Over);
+  }
+  for (int r = 1; r < this->Ranks.Size(); ++r)
+  {
+    while (HearFrom(this->Ranks, r).Says != Word::Left)
+    {
+      // What it said before it heard that all is over.
+    }
+  }
+}
+
+Result WorkSharing::Look(const std::function<std::int64_t()>& next,
+                         const std::function<Result(std::int64_t, ReadingStream&)>& take)
+{
+  for (int r = 1; r < this->Ranks.Size(); ++r)
+  {
+    while (this->Ranks.HasMessage(r))
+    {
+      const WorkMessage message = HearFrom(this->Ranks, r);
+      if (message.Says == Word::Wants)
+      {
+        this->Waiting[r] = 1;
+        continue;
+      }
+      Say(this->Ranks, r, Word::Send);
+      std::vector<char> content = BytesFrom(this->Ranks, r, message.Size);
+      if (message.Says == Word::Failed)
+      {
+        return Result::Error(std::string(content.begin(), content.end()));
+      }
+      --this->NumberAway;
+      ReadingStream result(std::move(content));
+      WAFT_RETURN_IF_FAILED(take(message.Item, result));
+    }
+    if (this->Waiting[r])
+    {
+      const std::int64_t item = next();
+      if (item >= 0)
+      {
+        this->Waiting[r] = 0;
+        ++this->NumberAway;
+        Say(this->Ranks, r, Word::Item, item);
+      }
+    }
+  }
+  return Result::Ok();
+}
+
+void SharedItems::Hear()
+{
+  const WorkMessage message = HearFrom(this->Ranks, 0);
+  if (message.Says == Word::Item)
+  {
+    this->Items.push_back(message.Item);
+    this->HasAsked = false;
+  }
+  else if (message.Says == Word::Send)
+  {
+    const std::vector<char>& content = this->Results.front().Content;
+    this->Ranks.SendReceive(0, content.data(), content.size(), nullptr, 0);
+    this->Results.pop_front();
+    this->AnnounceNext();
+  }
+  else
+  {
+    this->IsEnded = true;
+  }
+}
+
+void SharedItems::Listen()
+{
+  while (!this->IsEnded && this->Ranks.HasMessage(0))
+  {
+    this->Hear();
+  }
+}
+
+std::int64_t SharedItems::Take(bool waits)
+{
+  this->Listen();
+  while (!this->IsEnded && this->Items.empty())
+  {
+    // Between what is announced and its bytes nothing else is said.
+    if (this->Results.empty() && !this->HasAsked)
+    {
+      Say(this->Ranks, 0, Word::Wants);
+      this->HasAsked = true;
+    }
+    if (!waits)
+    {
+      return -1;
+    }
+    this->Hear();
+  }
+  if (this->IsEnded)
+  {
+    return -1;
+  }
+  const std::int64_t item = this->Items.front();
+  this->Items.pop_front();
+  return item;
+}
+
+void SharedItems::AnnounceNext()
+{
+  if (!this->Results.empty())
+  {
+    const Outcome& next = this->Results.front();
+    Say(this->Ranks, 0, next.Says, next.Item, next.Content.size());
+  }
+}
+
+void SharedItems::Announce(Outcome outcome)
+{
+  if (!this->IsEnded)
+  {
+    this->Results.push_back(std::move(outcome));
+    if (this->Results.size() == 1)
+    {
+      this->AnnounceNext();
+    }
+  }
+}
+
+void SharedItems::Give(std::int64_t item, std::vector<char> result)
+{
+  this->Announce({ Word::Has, item, std::move(result) });
+}
+
+void SharedItems::Fail(const std::string& sentence)
+{
+  this->Announce({ Word::Failed, 0, { sentence.begin(), sentence.end() } });
+}
+
+bool SharedItems::IsOver()
+{
+  this->Listen();
+  return this->IsEnded;
+}
+
+void SharedItems::AwaitEnd()
+{
+  while (!this->IsEnded)
+  {
+    this->Hear();
+  }
+}
+
+void Serve(Communicator& ranks, const WorkKinds& kinds)
+{
+  for (WorkMessage job = HearFrom(ranks, 0); job.Says == Word::Job; job = HearFrom(ranks, 0))
+  {
+    SharedItems items(ranks);
+    const Result done = Work(ranks, job, kinds, items);
+    if (!done)
+    {
+      items.Fail(done.Message());
+    }
+    items.AwaitEnd();
+    Say(ranks, 0, Word::Left);
+  }
+}
+
+void Release(Communicator& ranks)
+{
+  for (int r = 1; r < ranks.Size(); ++r)
+  {
+    Say(ranks, r, Word::Free);
+  }
+}
+
+} // namespace waft

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work that is divided over ranks: items of a job, handed out by rank 0 to the ranks that serve it,
+// whose results come back to it. Threads are each rank's own affair.
+#pragma once
+
+#include "Base/Communicator.h"
+#include "Base/ReadingStream.h"
+#include "Base/Result.h"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// One word between rank 0 and another, and what follows it.
+struct WorkMessage
+{
+  enum class Word : std::int64_t
+  {
+    // of rank 0:
+    Job,    // Item bytes of its kind and Size bytes of its inputs follow
+    Item,   // to be worked on
+    Send,   // what was announced is now received
+    Over,   // nothing more of this job
+    Free,   // no more jobs
+            // of the others:
+    Wants,  // an item
+    Has,    // Size bytes of a result, which are sent when they are asked for
+    Failed, // Size bytes of a sentence, likewise
+    Left    // the job, since it is over
+  };
+  Word Says;
+  std::int64_t Item = 0, Size = 0;
+};
+
+/// A job as rank 0 has it. The other ranks are in Serve from before until after its lifetime. With
+/// one rank it does nothing.
+class WorkSharing
+{
+public:
+  /// kind: one of those that the others know; inputs: all that they need to know of the job.
+  WorkSharing(Communicator& ranks, const std::string& kind, const MemoryStream& inputs);
+  WorkSharing(const WorkSharing&) = delete;
+  WorkSharing& operator=(const WorkSharing&) = delete;
+  /// The others drop what they are at.
+  ~WorkSharing();
+
+  /// Answers the others, quickly. next: gives an item for another rank, below 0 when there is none
+  /// now. take: gets what came of one. Called every tenth of a second or so: they wait meanwhile.
+  Result Look(const std::function<std::int64_t()>& next,
+              const std::function<Result(std::int64_t, ReadingStream&)>& take);
+  /// Items that others are at.
+  int Away() const { return this->NumberAway; }
+
+private:
+  Communicator& Ranks;
+  std::vector<char> Waiting; // by rank: whether it wants an item
+  int NumberAway = 0;
+};
+
+/// A job as another rank has it.
+class SharedItems
+{
+public:
+  explicit SharedItems(Communicator& ranks) : Ranks(ranks) {}
+
+  /// The next item, asked for one at a time. Below 0 when it has not come yet; it is waited for
+  /// when there is nothing else to do. Nothing comes once the job is over.
+  std::int64_t Take(bool waits);
+  /// What came of an item, or why nothing did.
+  void Give(std::int64_t item, std::vector<char> result);
+  void Fail(const std::string& sentence);
+  bool IsOver();
+  /// Until it is.
+  void AwaitEnd();
+
+private:
+  struct Outcome
+  {
+    WorkMessage::Word Says;
+    std::int64_t Item;
+    std::vector<char> Content;
+  };
+  void Announce(Outcome outcome);
+  void AnnounceNext();
+  void Hear(); // one message, waited for
+  void Listen();
+
+  Communicator& Ranks;
+  std::deque<std::int64_t> Items;
+  std::deque<Outcome> Results; // not sent yet, the first one announced
+  bool HasAsked = false, IsEnded = false;
+};
+
+/// What other ranks can do, by kind: works on items until there are none, and reports a failure by
+/// its Result.
+using WorkKinds = std::map<std::string, std::function<Result(ReadingStream&, SharedItems&)>>;
+
+/// Works for rank 0, on all other ranks, until it calls Release.
+void Serve(Communicator& ranks, const WorkKinds& kinds);
+/// Lets the others go; on rank 0.
+void Release(Communicator& ranks);
+
+} // namespace waft
