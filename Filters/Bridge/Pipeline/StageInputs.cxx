@@ -40,17 +40,15 @@ public:
   vtkInformationVector** Get() { return this->Raw.data(); }
 
 private:
+  // Those that are ours. Of the pipeline's own no reference is taken: with each that is given back
+  // VTK looks for rings of references in the whole pipeline, at each request of each frame.
   std::vector<vtkSmartPointer<vtkInformationVector>> Vectors;
   std::vector<vtkInformationVector*> Raw;
 };
 
-TakenInputs::TakenInputs(vtkInformationVector** given, const StageInputs& ports)
+TakenInputs::TakenInputs(vtkInformationVector** given, const StageInputs& ports) :
+  Raw(given, given + ports.size())
 {
-  for (std::size_t port = 0; port < ports.size(); ++port)
-  {
-    this->Vectors.emplace_back(given[port]);
-    this->Raw.push_back(given[port]);
-  }
 }
 
 template <class Data>
@@ -67,7 +65,7 @@ Result Replace(Result (*as)(vtkDataObject*, const std::string&, vtkSmartPointer<
   return Result::Ok();
 }
 
-// `taken` stays where the data are what the port takes.
+// `taken` stays empty where the data are what the port takes.
 Result TakeAs(const StageInput& port, vtkDataObject* data, vtkSmartPointer<vtkDataObject>& taken)
 {
   switch (port.Takes)
@@ -101,10 +99,10 @@ Result TakenInputs::Take(const StageInputs& ports)
     for (int i = 0; i < this->Raw[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkDataObject* data = vtkDataObject::GetData(this->Raw[port], i);
-      vtkSmartPointer<vtkDataObject> taken = data;
+      vtkSmartPointer<vtkDataObject> taken;
       const Result own = data != nullptr ? TakeAs(ports[port], data, taken) : Result::Ok();
       result = result ? own : result;
-      if (taken == data)
+      if (taken == nullptr)
       {
         continue;
       }
@@ -116,7 +114,7 @@ Result TakenInputs::Take(const StageInputs& ports)
       vtkNew<vtkInformationVector> ownVector;
       ownVector->Copy(this->Raw[port], 1); // each information object is a copy, the data are not
       ownVector->GetInformationObject(i)->Set(vtkDataObject::DATA_OBJECT(), taken);
-      this->Vectors[port] = ownVector.Get();
+      this->Vectors.emplace_back(ownVector.Get());
       this->Raw[port] = ownVector.Get();
     }
   }
