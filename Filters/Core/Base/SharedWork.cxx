@@ -54,7 +54,7 @@ Result Work(Communicator& ranks, const WorkMessage& job, const WorkKinds& kinds,
 } // namespace
 
 WorkSharing::WorkSharing(Communicator& ranks, const std::string& kind, const MemoryStream& inputs) :
-  Ranks(ranks), Waiting(static_cast<std::size_t>(ranks.Size()), 0)
+  Ranks(ranks), Wanted(static_cast<std::size_t>(ranks.Size()), 0)
 {
   for (int r = 1; r < ranks.Size(); ++r)
   {
@@ -79,17 +79,18 @@ WorkSharing::~WorkSharing()
   }
 }
 
-Result WorkSharing::Look(const std::function<std::int64_t()>& next,
+Result WorkSharing::Look(const std::function<std::vector<std::int64_t>(std::int64_t most)>& next,
                          const std::function<Result(std::int64_t, ReadingStream&)>& take)
 {
   for (int r = 1; r < this->Ranks.Size(); ++r)
   {
+    std::int64_t& wanted = this->Wanted[r];
     while (this->Ranks.HasMessage(r))
     {
       const WorkMessage message = HearFrom(this->Ranks, r);
       if (message.Says == Word::Wants)
       {
-        this->Waiting[r] = 1;
+        wanted = message.Item;
         continue;
       }
       Say(this->Ranks, r, Word::Send);
@@ -102,15 +103,12 @@ Result WorkSharing::Look(const std::function<std::int64_t()>& next,
       ReadingStream result(std::move(content));
       WAFT_RETURN_IF_FAILED(take(message.Item, result));
     }
-    if (this->Waiting[r])
+    const std::vector<std::int64_t> items = wanted > 0 ? next(wanted) : std::vector<std::int64_t>();
+    for (std::size_t k = 0; k < items.size(); ++k)
     {
-      const std::int64_t item = next();
-      if (item >= 0)
-      {
-        this->Waiting[r] = 0;
-        ++this->NumberAway;
-        Say(this->Ranks, r, Word::Item, item);
-      }
+      wanted = 0;
+      ++this->NumberAway;
+      Say(this->Ranks, r, Word::Item, items[k], items.size() - 1 - k);
     }
   }
   return Result::Ok();
@@ -122,7 +120,8 @@ void SharedItems::Hear()
   if (message.Says == Word::Item)
   {
     this->Items.push_back(message.Item);
-    this->HasAsked = false;
+    this->MoreFollow = message.Size > 0;
+    this->HasAsked = this->MoreFollow;
   }
   else if (message.Says == Word::Send)
   {
@@ -145,30 +144,24 @@ void SharedItems::Listen()
   }
 }
 
-std::int64_t SharedItems::Take(bool waits)
+std::vector<std::int64_t> SharedItems::Take(std::int64_t most, bool waits)
 {
   this->Listen();
-  while (!this->IsEnded && this->Items.empty())
+  while (!this->IsEnded && (this->Items.empty() || this->MoreFollow))
   {
     // Between what is announced and its bytes nothing else is said.
     if (this->Results.empty() && !this->HasAsked)
     {
-      Say(this->Ranks, 0, Word::Wants);
+      Say(this->Ranks, 0, Word::Wants, most);
       this->HasAsked = true;
     }
-    if (!waits)
+    if (!waits && !this->MoreFollow)
     {
-      return -1;
+      return {};
     }
     this->Hear();
   }
-  if (this->IsEnded)
-  {
-    return -1;
-  }
-  const std::int64_t item = this->Items.front();
-  this->Items.pop_front();
-  return item;
+  return this->IsEnded ? std::vector<std::int64_t>() : std::exchange(this->Items, {});
 }
 
 void SharedItems::AnnounceNext()

@@ -24,12 +24,12 @@ struct WorkMessage
   {
     // of rank 0:
     Job,    // Item bytes of its kind and Size bytes of its inputs follow
-    Item,   // to be worked on
+    Item,   // to be worked on; Size more follow at once
     Send,   // what was announced is now received
     Over,   // nothing more of this job
     Free,   // no more jobs
             // of the others:
-    Wants,  // an item
+    Wants,  // items, so many at most
     Has,    // Size bytes of a result, which are sent when they are asked for
     Failed, // Size bytes of a sentence, likewise
     Left    // the job, since it is over
@@ -50,16 +50,17 @@ public:
   /// The others drop what they are at.
   ~WorkSharing();
 
-  /// Answers the others, quickly. next: gives an item for another rank, below 0 when there is none
-  /// now. take: gets what came of one. Called every tenth of a second or so: they wait meanwhile.
-  Result Look(const std::function<std::int64_t()>& next,
+  /// Answers the others, quickly. next: gives so many items at most for another rank, none when
+  /// there are none now. take: gets what came of one. Called every tenth of a second or so, more
+  /// often where items are short: the others wait meanwhile.
+  Result Look(const std::function<std::vector<std::int64_t>(std::int64_t most)>& next,
               const std::function<Result(std::int64_t, ReadingStream&)>& take);
   /// Items that others are at.
   int Away() const { return this->NumberAway; }
 
 private:
   Communicator& Ranks;
-  std::vector<char> Waiting; // by rank: whether it wants an item
+  std::vector<std::int64_t> Wanted; // by rank: items that it waits for
   int NumberAway = 0;
 };
 
@@ -69,9 +70,9 @@ class SharedItems
 public:
   explicit SharedItems(Communicator& ranks) : Ranks(ranks) {}
 
-  /// The next item, asked for one at a time. Below 0 when it has not come yet; it is waited for
-  /// when there is nothing else to do. Nothing comes once the job is over.
-  std::int64_t Take(bool waits);
+  /// The next items, so many at most. None when none have come yet; they are waited for when there
+  /// is nothing else to do. None come once the job is over.
+  std::vector<std::int64_t> Take(std::int64_t most, bool waits);
   /// What came of an item, or why nothing did.
   void Give(std::int64_t item, std::vector<char> result);
   void Fail(const std::string& sentence);
@@ -92,9 +93,9 @@ private:
   void Listen();
 
   Communicator& Ranks;
-  std::deque<std::int64_t> Items;
+  std::vector<std::int64_t> Items;
   std::deque<Outcome> Results; // not sent yet, the first one announced
-  bool HasAsked = false, IsEnded = false;
+  bool HasAsked = false, MoreFollow = false, IsEnded = false;
 };
 
 /// What other ranks can do, by kind: works on items until there are none, and reports a failure by

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace waft
 {
@@ -92,7 +93,12 @@ Result SimulationQueue::Advance(const ParallelFor& parallelFor, Monitor& monitor
   {
     return advanced;
   }
-  return this->Others.Look([this] { return this->Start(); },
+  const auto next = [this](std::int64_t)
+  {
+    const std::int64_t simulation = this->Start();
+    return simulation < 0 ? std::vector<std::int64_t>() : std::vector<std::int64_t>{ simulation };
+  };
+  return this->Others.Look(next,
                            [this](std::int64_t simulation, ReadingStream& stream)
                            {
                              TracedSimulation traced;
@@ -131,10 +137,12 @@ Result ServeSimulations(ReadingStream& inputs, SharedItems& items, int atOnce,
   SilentMonitor silent; // a turn is short
   while (!items.IsOver())
   {
-    const std::int64_t simulation = slots.HasRoom() ? items.Take(slots.IsEmpty()) : -1;
-    if (simulation >= 0)
+    if (slots.HasRoom())
     {
-      WAFT_RETURN_IF_FAILED(slots.Begin(static_cast<int>(simulation)));
+      for (const std::int64_t simulation : items.Take(1, slots.IsEmpty()))
+      {
+        WAFT_RETURN_IF_FAILED(slots.Begin(static_cast<int>(simulation)));
+      }
     }
     WAFT_RETURN_IF_FAILED(slots.Advance(0, parallelFor, silent));
     for (auto& [whole, traced] : slots.TakeWhole())

@@ -21,6 +21,13 @@ struct PathShortfall
 {
   double Depth = 0.0; // most that the swept centre lacks of its clearance [m]
   int Frame = -1;     // where, -1: nowhere
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Depth...);
+    visit(of.Frame...);
+  }
 };
 
 /// Eases `united` out of what it comes too near to, by soft marks in the warp that made it, so that

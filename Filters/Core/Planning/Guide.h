@@ -13,6 +13,13 @@ struct Guide
 {
   int ObjectId = 0;
   std::vector<Vec3> Points; // from the start on, at even speed between marks [m]
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.ObjectId...);
+    visit(of.Points...);
+  }
 };
 
 /// The curve of one object, taken up flight by flight.

@@ -8,6 +8,7 @@
 #include "Planning/SpanPlan.h"
 #include "Planning/Vortices.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,6 +33,18 @@ struct MarkOutcome
   int NumberOfBranches = 0;
   double Seconds = 0.0; // spent on the flight to it
   std::string Message;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Constraint...);
+    visit(of.IsReached...);
+    visit(of.RetimingFactor...);
+    visit(of.Cost...);
+    visit(of.NumberOfBranches...);
+    visit(of.Seconds...);
+    visit(of.Message...);
+  }
 };
 
 /// The trees of one span.
@@ -39,7 +52,15 @@ struct SpanTrees
 {
   int FirstFrame = 0;
   int LastFrame = 0;
-  std::vector<Branch> Trees[2];
+  std::array<std::vector<Branch>, 2> Trees;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.FirstFrame...);
+    visit(of.LastFrame...);
+    visit(of.Trees...);
+  }
 };
 
 struct ObjectPlan
@@ -51,6 +72,18 @@ struct ObjectPlan
   std::vector<SpanTrees> Spans;
   PathShortfall Shortfall; // of the clearance
   double Seconds = 0.0;    // spent on all of it
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Positions...);
+    visit(of.Uses...);
+    visit(of.Samples...);
+    visit(of.Outcomes...);
+    visit(of.Spans...);
+    visit(of.Shortfall...);
+    visit(of.Seconds...);
+  }
 };
 
 ObjectPlan PlanObject(const SegmentLibrary& library, const MotionObject& object,

@@ -73,6 +73,16 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
   return { key.Content.begin(), key.Content.end() };
 }
 
+SegmentLibraryOptions LibraryOptionsOf(const PlanOptions& options, const SceneInfo& scene)
+{
+  SegmentLibraryOptions library;
+  library.FramesPerSecond = scene.Time.FramesPerSecond;
+  library.Freedom = options.RotationFreedom;
+  library.MaximumTilt = options.MaxTilt;
+  library.MaximumConnectionCost = options.ConnectionThreshold;
+  return library;
+}
+
 Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions& options,
                      const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
 {

@@ -31,6 +31,7 @@ struct PlanTools
   StyleGauge Gauge;
 };
 
+SegmentLibraryOptions LibraryOptionsOf(const PlanOptions& options, const SceneInfo& scene);
 /// Builds them; fails as SegmentLibrary does.
 Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions& options,
                      const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools);

@@ -95,11 +95,7 @@ std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentL
 Result TakeTools(const PlanInput& input, const PlanOptions& options, const ParallelFor& parallelFor,
                  PlanCache* memory, std::shared_ptr<const PlanTools>& tools)
 {
-  SegmentLibraryOptions library;
-  library.FramesPerSecond = input.Scene.Time.FramesPerSecond;
-  library.Freedom = options.RotationFreedom;
-  library.MaximumTilt = options.MaxTilt;
-  library.MaximumConnectionCost = options.ConnectionThreshold;
+  const SegmentLibraryOptions library = LibraryOptionsOf(options, input.Scene);
   if (memory == nullptr)
   {
     return MakePlanTools(input.Database, library, parallelFor, tools);
@@ -161,8 +157,13 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   // Who wants the rows judged and nothing flown stops here: the first flight may take long.
   bool goesOn = monitor.Tick(0.04, "Planning");
   ScenePlans plans = RecallPlans(input, options.Seed, output.Constraints, isUsed, memory);
-  goesOn = goesOn && FlyUnknown(input, options, *tools, output.Constraints, isUsed, parallelFor,
-                                monitor, plans, output.Tracks);
+  if (goesOn)
+  {
+    const Result flown = FlyUnknown(input, options, *tools, output.Constraints, isUsed, parallelFor,
+                                    monitor, plans, output.Tracks);
+    WAFT_RETURN_IF_FAILED(flown);
+    goesOn = !flown.IsStopped();
+  }
   if (memory != nullptr)
   {
     KeepPlans(input, options.Seed, plans, *memory);

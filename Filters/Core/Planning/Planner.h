@@ -3,6 +3,7 @@
 // motion database from mark to mark, around obstacles, in the time there is.
 #pragma once
 
+#include "Base/Communicator.h"
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
@@ -31,6 +32,9 @@ struct PlanInput
   const ObstacleSet& Obstacles;
   SceneInfo Scene;
   std::vector<Guide> Guides = {}; // at most one an object
+  /// Who plans beside this rank, the first; the others Serve with ServePlans among their kinds, as
+  /// PlanKind.
+  Communicator* Ranks = nullptr;
 };
 
 /// Members have the defaults; Visit says the rest of each field that a user sets.

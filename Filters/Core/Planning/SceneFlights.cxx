@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All objects of a run that are to fly, planned by threads while the caller's ticks the monitor.
+// All objects of a run that are to fly, planned by threads and other ranks while the caller's
+// thread ticks the monitor.
 #include "Planning/FreeSpaceGrids.h"
 #include "Planning/Itinerary.h"
 #include "Planning/PlannerNumbers.h"
 #include "Planning/ScenePlans.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -12,6 +14,7 @@
 #include <shared_mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace waft
 {
@@ -27,10 +30,11 @@ struct FlightWatch
   std::shared_mutex Holding; // locked during a tick, which may last
 };
 
-/// Runs the work in a thread of its own while the caller's ticks the monitor; before each tick,
-/// `publish` is called.
+/// Runs the work in a thread of its own while the caller's ticks the monitor; before each tick
+/// `between` is called, which tells whether something is done elsewhere still.
 void RunWhileTicking(const std::function<void()>& work, std::size_t count,
-                     const std::function<void()>& publish, Monitor& monitor, FlightWatch& watch)
+                     const std::function<bool()>& between, std::chrono::milliseconds period,
+                     Monitor& monitor, FlightWatch& watch)
 {
   std::mutex mutex;
   std::condition_variable ended;
@@ -44,10 +48,11 @@ void RunWhileTicking(const std::function<void()>& work, std::size_t count,
       ended.notify_one();
     });
   std::unique_lock<std::mutex> lock(mutex);
-  while (!ended.wait_for(lock, std::chrono::milliseconds(50), [&]() { return hasEnded; }))
+  bool isElsewhere = false;
+  while (!ended.wait_for(lock, period, [&]() { return hasEnded && !isElsewhere; }))
   {
+    isElsewhere = between() && !watch.Stop;
     const std::size_t planned = watch.Done;
-    publish();
     const std::unique_lock<std::shared_mutex> hold(watch.Holding);
     const bool goesOn = monitor.Tick(
       0.05 + 0.9 * static_cast<double>(planned) / static_cast<double>(count),
@@ -96,6 +101,47 @@ Itinerary GuidedItinerary(const PlanInput& input, const MotionObject& object,
   return itinerary;
 }
 
+/// Flights of a scene's objects, of any thread.
+class Flights
+{
+public:
+  Flights(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
+          const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,
+          FlightWatch& watch) :
+    Input(input),
+    Rows(rows), IsUsed(isUsed), GuideWeight(options.GuideWeight), Library(tools.Library),
+    Shared(SharedOptions(input, options, tools, watch.Stop)),
+    Rooms(input.Obstacles, input.Scene.Bounds, input.Objects, Shared.Span.Margin, watch.Stop),
+    Watch(watch)
+  {
+  }
+
+  /// Whole unless the watch is stopped meanwhile. Waits before it begins while that is held.
+  ObjectPlan Fly(std::size_t i)
+  {
+    {
+      const std::shared_lock<std::shared_mutex> wait(this->Watch.Holding);
+    }
+    const MotionObject& object = this->Input.Objects[i];
+    ObjectPlanOptions own = this->Shared;
+    own.Span.Rooms = [this, &object](int level) { return this->Rooms.Of(object, level); };
+    const Itinerary itinerary =
+      GuidedItinerary(this->Input, object, this->Rows, this->IsUsed, this->GuideWeight);
+    return PlanObject(this->Library, object, itinerary, this->Input.Obstacles, this->Input.Scene,
+                      own);
+  }
+
+private:
+  const PlanInput& Input;
+  const std::vector<Constraint>& Rows;
+  const std::vector<unsigned char>& IsUsed;
+  double GuideWeight;
+  const SegmentLibrary& Library;
+  ObjectPlanOptions Shared;
+  FreeSpaceGrids Rooms;
+  FlightWatch& Watch;
+};
+
 /// Adds the paths that are ready and not yet published.
 void PublishReady(const std::vector<MotionObject>& objects, const ScenePlans& plans,
                   std::vector<char>& isPublished, std::vector<Track>& soFar)
@@ -112,12 +158,57 @@ void PublishReady(const std::vector<MotionObject>& objects, const ScenePlans& pl
   }
 }
 
+/// All that plans of other ranks depend on.
+template <class Database, class Objects, class Rows, class Used, class Obstacles, class Scene,
+          class Guides, class Options>
+void MoveJob(StateArchive& stream, Database& database, Objects& objects, Rows& rows, Used& isUsed,
+             Obstacles& obstacles, Scene& scene, Guides& guides, Options& options)
+{
+  stream.Values(database, objects, rows, isUsed, obstacles, scene, guides);
+  PlanOptions::Visit(stream, options);
+}
+
+/// Objects that are to be planned, handed out from the first to the last to threads and ranks.
+class Queue
+{
+public:
+  explicit Queue(std::vector<std::size_t> objects) : Objects(std::move(objects)) {}
+  std::size_t Size() const { return this->Objects.size(); }
+  bool Next(std::size_t& object)
+  {
+    const std::size_t k = this->Begun++;
+    if (k < this->Objects.size())
+    {
+      object = this->Objects[k];
+    }
+    return k < this->Objects.size();
+  }
+  /// Fewer towards the end, so that all ranks end together.
+  std::vector<std::int64_t> Some(std::int64_t most, int ranks)
+  {
+    const auto begun = static_cast<std::int64_t>(std::min(this->Begun.load(), this->Size()));
+    const std::int64_t left = static_cast<std::int64_t>(this->Size()) - begun;
+    const std::int64_t count = std::clamp<std::int64_t>(left / (2 * ranks), 1, most);
+    std::vector<std::int64_t> some;
+    for (std::size_t object = 0;
+         static_cast<std::int64_t>(some.size()) < count && this->Next(object);)
+    {
+      some.push_back(static_cast<std::int64_t>(object));
+    }
+    return some;
+  }
+
+private:
+  std::vector<std::size_t> Objects;
+  std::atomic<std::size_t> Begun{ 0 };
+};
+
 } // namespace
 
-bool FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
-                const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,
-                const ParallelFor& parallelFor, Monitor& monitor, ScenePlans& plans,
-                std::vector<Track>& soFar)
+Result FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
+                  const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,
+                  const ParallelFor& parallelFor, Monitor& monitor, ScenePlans& plans,
+                  std::vector<Track>& soFar)
 {
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < input.Objects.size(); ++i)
@@ -129,45 +220,110 @@ bool FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTo
   }
   if (unknown.empty())
   {
-    return true;
+    return Result::Ok();
   }
   FlightWatch watch;
-  const ObjectPlanOptions shared = SharedOptions(input, options, tools, watch.Stop);
-  FreeSpaceGrids rooms(input.Obstacles, input.Scene.Bounds, input.Objects, shared.Span.Margin,
-                       watch.Stop);
-  const auto fly = [&](std::size_t i)
+  Flights flights(input, options, tools, rows, isUsed, watch);
+  Queue queue(std::move(unknown));
+  const auto keep = [&](std::size_t i, ObjectPlan plan)
   {
-    const MotionObject& object = input.Objects[i];
-    ObjectPlanOptions own = shared;
-    own.Span.Rooms = [&rooms, &object](int level) { return rooms.Of(object, level); };
-    const Itinerary itinerary = GuidedItinerary(input, object, rows, isUsed, options.GuideWeight);
-    plans.Plans[i] =
-      PlanObject(tools.Library, object, itinerary, input.Obstacles, input.Scene, own);
+    plans.Plans[i] = std::move(plan);
     plans.IsDone[i] = !watch.Stop;
     ++watch.Done;
   };
-  const auto flyRange = [&](std::size_t begin, std::size_t end)
+  const auto flySome = [&](std::size_t begin, std::size_t end)
   {
-    for (std::size_t k = begin; k < end && !watch.Stop; ++k)
+    std::size_t object = 0;
+    for (std::size_t k = begin; k < end && !watch.Stop && queue.Next(object); ++k)
     {
-      {
-        const std::shared_lock<std::shared_mutex> wait(watch.Holding);
-      }
-      fly(unknown[k]);
+      keep(object, flights.Fly(object));
     }
   };
-  std::vector<char> isPublished(input.Objects.size(), 0);
-  const auto publish = [&]()
+
+  SingleRank alone;
+  Communicator& ranks = input.Ranks != nullptr && queue.Size() > 1 ? *input.Ranks : alone;
+  MemoryStream job;
+  if (ranks.Size() > 1)
   {
+    MoveJob(job, input.Database, input.Objects, rows, isUsed, input.Obstacles.Obstacles(),
+            input.Scene, input.Guides, options);
+  }
+  WorkSharing others(ranks, PlanKind, job);
+  Result shared = Result::Ok();
+  std::vector<char> isPublished(input.Objects.size(), 0);
+  const auto between = [&]()
+  {
+    shared = others.Look([&](std::int64_t most) { return queue.Some(most, ranks.Size()); },
+                         [&](std::int64_t object, ReadingStream& stream)
+                         {
+                           ObjectPlan plan;
+                           stream.Values(plan);
+                           keep(static_cast<std::size_t>(object), std::move(plan));
+                           return Result::Ok();
+                         });
+    watch.Stop = watch.Stop || !shared;
     if (monitor.Publishes())
     {
       PublishReady(input.Objects, plans, isPublished, soFar);
     }
+    return others.Away() > 0;
   };
-  RunWhileTicking([&]() { parallelFor(unknown.size(), flyRange); }, unknown.size(), publish,
-                  monitor, watch);
+  RunWhileTicking([&]() { parallelFor(queue.Size(), flySome); }, queue.Size(), between,
+                  std::chrono::milliseconds(ranks.Size() > 1 ? 5 : 50), monitor, watch);
   soFar.clear();
-  return !watch.Stop;
+  return !shared ? shared : watch.Stop ? Result::Stopped() : Result::Ok();
+}
+
+Result ServePlans(ReadingStream& inputs, SharedItems& items, int atOnce,
+                  const ParallelFor& parallelFor)
+{
+  MotionDatabase database;
+  std::vector<MotionObject> objects;
+  std::vector<Constraint> rows;
+  std::vector<unsigned char> isUsed;
+  std::vector<ObstacleMesh> meshes;
+  ObstacleSet obstacles;
+  PlanInput input{ database, objects, rows, obstacles, SceneInfo() };
+  PlanOptions options;
+  MoveJob(inputs, database, objects, rows, isUsed, meshes, input.Scene, input.Guides, options);
+  WAFT_RETURN_IF_FAILED(obstacles.Build(meshes));
+  std::shared_ptr<const PlanTools> tools;
+  WAFT_RETURN_IF_FAILED(
+    MakePlanTools(database, LibraryOptionsOf(options, input.Scene), parallelFor, tools));
+  FlightWatch watch;
+  Flights flights(input, options, *tools, rows, isUsed, watch);
+  SilentMonitor silent;
+  while (!watch.Stop)
+  {
+    const std::vector<std::int64_t> some = items.Take(4 * atOnce, true);
+    if (some.empty())
+    {
+      break;
+    }
+    std::vector<ObjectPlan> plans(some.size());
+    const auto fly = [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end && !watch.Stop; ++k)
+      {
+        plans[k] = flights.Fly(static_cast<std::size_t>(some[k]));
+      }
+    };
+    RunWhileTicking([&]() { parallelFor(some.size(), fly); }, some.size(),
+                    [&]()
+                    {
+                      watch.Stop = items.IsOver();
+                      return false;
+                    },
+                    std::chrono::milliseconds(20), silent, watch);
+    watch.Stop = items.IsOver();
+    for (std::size_t k = 0; k < some.size() && !watch.Stop; ++k)
+    {
+      MemoryStream result;
+      result.Values(plans[k]);
+      items.Give(some[k], std::move(result.Content));
+    }
+  }
+  return Result::Ok();
 }
 
 } // namespace waft

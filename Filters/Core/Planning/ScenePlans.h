@@ -2,6 +2,7 @@
 // The plans of all objects of one run: what is known of them before, and the flights that are not.
 #pragma once
 
+#include "Base/SharedWork.h"
 #include "Planning/PlanCache.h"
 
 #include <atomic>
@@ -30,12 +31,17 @@ ScenePlans RecallPlans(const PlanInput& input, std::uint64_t seed,
 void KeepPlans(const PlanInput& input, std::uint64_t seed, const ScenePlans& plans,
                PlanCache& memory);
 
-/// Plans all objects whose plans are not known, in parallel. While it lasts, soFar has the paths
-/// that are ready, for who asks for them (Monitor::Publishes); in the end it is empty. False when
-/// the monitor asked to stop; some plans are not done then.
-bool FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
-                const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,
-                const ParallelFor& parallelFor, Monitor& monitor, ScenePlans& plans,
-                std::vector<Track>& soFar);
+/// Plans all objects whose plans are not known, in parallel, by all ranks. While it lasts, soFar
+/// has the paths that are ready, for who asks for them (Monitor::Publishes); in the end it is
+/// empty. Stopped by the monitor some plans are not done.
+Result FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
+                  const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,
+                  const ParallelFor& parallelFor, Monitor& monitor, ScenePlans& plans,
+                  std::vector<Track>& soFar);
+
+inline constexpr const char* PlanKind = "plans";
+/// Plans objects for rank 0. atOnce: threads of parallelFor.
+Result ServePlans(ReadingStream& inputs, SharedItems& items, int atOnce,
+                  const ParallelFor& parallelFor);
 
 } // namespace waft

@@ -24,6 +24,13 @@ struct Placement
   Mat3 Rotation = Mat3::Identity();
   Vec3 Translation = Vec3::Zero();
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Rotation...);
+    visit(of.Translation...);
+  }
+
   Vec3 operator*(const Vec3& x) const { return this->Rotation * x + this->Translation; }
   Placement operator*(const Placement& other) const
   {

@@ -20,6 +20,16 @@ struct Piece
   int First = 0;
   int Last = 0;
   Placement Transform;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Segment...);
+    visit(of.Top...);
+    visit(of.First...);
+    visit(of.Last...);
+    visit(of.Transform...);
+  }
 };
 
 struct SpanEnd
@@ -60,6 +70,18 @@ struct Branch
   double Cost = 0.0;     // of the connection to the parent
   double Mismatch = 0.0; // of the root's velocity with that wanted, over the typical speed
   int Failures = 0;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Body...);
+    visit(of.Parent...);
+    visit(of.Elapsed...);
+    visit(of.FreeEnd...);
+    visit(of.Cost...);
+    visit(of.Mismatch...);
+    visit(of.Failures...);
+  }
 };
 
 /// A way from start to goal: a forward branch, then either a backward branch or a last piece whose

@@ -18,6 +18,15 @@ struct SegmentUse
   Placement Transform;
   double FirstTime = 0.0;      // of the segment's first sample [s]
   double RetimingFactor = 1.0; // its own frames per frame of the scene
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Segment...);
+    visit(of.Transform...);
+    visit(of.FirstTime...);
+    visit(of.RetimingFactor...);
+  }
 };
 
 /// Which sample of which use an object follows at a frame; Use -1: none.
@@ -25,6 +34,13 @@ struct UseSample
 {
   int Use = -1;
   int Sample = 0;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Use...);
+    visit(of.Sample...);
+  }
 };
 
 /// Fills the track's annotation (ForceTypes, VortexIds, VortexAccelerations, WindAccelerations) and

@@ -14,25 +14,31 @@ using namespace waft;
 namespace
 {
 
-/// Squares of the items, by a process that is slow.
+/// Squares of the items, one at a time and some at a time.
 Result Squares(ReadingStream& inputs, SharedItems& items)
 {
   std::int64_t offset = 0;
   inputs.Values(offset);
-  for (std::int64_t item = items.Take(true); item >= 0; item = items.Take(true))
+  std::int64_t most = 1;
+  for (auto some = items.Take(most, true); !some.empty(); some = items.Take(most, true))
   {
-    if (offset < 0 && item == 2)
+    EXPECT_LE(static_cast<std::int64_t>(some.size()), most);
+    for (const std::int64_t item : some)
     {
-      return Result::Error("item 2: expected no offset below 0");
+      if (offset < 0 && item == 2)
+      {
+        return Result::Error("item 2: expected no offset below 0");
+      }
+      if (offset < -1)
+      {
+        throw std::bad_alloc();
+      }
+      MemoryStream result;
+      std::vector<std::int64_t> squares(static_cast<std::size_t>(item) + 1, item * item + offset);
+      result.Values(squares);
+      items.Give(item, std::move(result.Content));
     }
-    if (offset < -1)
-    {
-      throw std::bad_alloc();
-    }
-    MemoryStream result;
-    std::vector<std::int64_t> squares(static_cast<std::size_t>(item) + 1, item * item + offset);
-    result.Values(squares);
-    items.Give(item, std::move(result.Content));
+    most = 4 - most;
   }
   return Result::Ok();
 }
@@ -56,7 +62,16 @@ Gathered Gather(Communicator& ranks, const std::string& kind, std::int64_t offse
   int started = 0, done = 0;
   while (found.Outcome && done < enough)
   {
-    found.Outcome = others.Look([&] { return started < count ? started++ : -1; },
+    const auto next = [&](std::int64_t most)
+    {
+      std::vector<std::int64_t> some;
+      while (started < count && static_cast<std::int64_t>(some.size()) < most)
+      {
+        some.push_back(started++);
+      }
+      return some;
+    };
+    found.Outcome = others.Look(next,
                                 [&](std::int64_t item, ReadingStream& result)
                                 {
                                   result.Values(found.Squares[item]);

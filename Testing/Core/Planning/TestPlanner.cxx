@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole plans, judged on the tracks that come out.
+#include "Base/ThreadRanks.h"
 #include "PlanScenes.h"
+#include "Planning/ScenePlans.h"
 #include "Trajectory/Style.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +94,65 @@ TEST(Planner, GivesTheSameBytesForAnyNumberOfThreads)
   EXPECT_EQ(one.Trees.size(), two.Trees.size());
   const PlanOutput other = scene.Run(4);
   EXPECT_NE(other.Tracks[0].Positions[50], one.Tracks[0].Positions[50]);
+}
+
+namespace
+{
+
+/// By several ranks, of two threads each.
+PlanOutput RunOnRanks(PlanScene& scene, const PlanOptions& options, int size, Monitor& monitor)
+{
+  PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
+  const auto serve = [](ReadingStream& inputs, SharedItems& items)
+  { return ServePlans(inputs, items, 2, ThreadedFor(2)); };
+  PlanOutput output;
+  Result outcome = Result::Ok();
+  EXPECT_TRUE(RunRanks(size,
+                       [&](Communicator& ranks)
+                       {
+                         if (!ranks.IsFirst())
+                         {
+                           Serve(ranks, { { PlanKind, serve } });
+                           return;
+                         }
+                         const PlanInput input{ SwirlDatabase(), scene.Objects, scene.Constraints,
+                                                scene.Obstacles, scene.Scene,   scene.Guides,
+                                                &ranks };
+                         outcome = PlanMotion(input, options, ThreadedFor(2), monitor, output);
+                         Release(ranks);
+                       }));
+  PlanScene::Check(outcome);
+  return output;
+}
+
+} // namespace
+
+TEST(Planner, GivesTheSameBytesForAnyNumberOfRanks)
+{
+  PlanScene scene;
+  AddFeatherRows(scene);
+  scene.AddBox(Vec3(-0.2, 0.4, 0.5), Vec3(0.2, 0.8, 2.8));
+  for (int i = 0; i < 9; ++i)
+  {
+    scene.AddObject(Vec3(-1.0 + 0.2 * i, 1.0, 2.5));
+  }
+  scene.Guides.push_back({ 1, { Vec3(-1.0, 1.0, 2.5), Vec3(0.5, 0.0, 1.0) } });
+  PlanOptions options;
+  options.Seed = 3;
+  const PlanOutput one = scene.Run(options);
+  SilentMonitor silent;
+  for (const int size : { 2, 3, 5 })
+  {
+    const PlanOutput other = RunOnRanks(scene, options, size, silent);
+    EXPECT_EQ(DigestOf(one.Tracks), DigestOf(other.Tracks)) << size;
+    EXPECT_EQ(DigestOf(one.Vortices), DigestOf(other.Vortices)) << size;
+    ASSERT_EQ(one.Trees.size(), other.Trees.size());
+    for (std::size_t k = 0; k < one.Trees.size(); ++k)
+    {
+      EXPECT_EQ(one.Trees[k].Points, other.Trees[k].Points);
+      EXPECT_EQ(one.Trees[k].Cost, other.Trees[k].Cost);
+    }
+  }
 }
 
 TEST(Planner, ObjectsDoNotDependOnEachOther)
