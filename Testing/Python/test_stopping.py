@@ -82,7 +82,7 @@ class Stopping(unittest.TestCase):
         raise self.failureException(f"it started no {name}")
 
     def test_while_paraview_starts(self):
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
             for seconds in (0.2, 0.7):
                 with self.subTest(number=number, seconds=seconds):
                     self.expect_seen(*self.stop_after(self.synthesize(MEDIUM), seconds, number))

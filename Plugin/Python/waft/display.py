@@ -9,7 +9,7 @@ import signal
 import struct
 import subprocess
 
-STOPS = {signal.SIGINT, signal.SIGTERM}
+STOPS = {signal.SIGINT, signal.SIGTERM, signal.SIGUSR1}
 _LIBC = ctypes.CDLL(None)
 
 
