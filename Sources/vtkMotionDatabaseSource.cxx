@@ -2,6 +2,7 @@
 #include "vtkMotionDatabaseSource.h"
 
 #include "Bridge/Data/DatabaseConversion.h"
+#include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Database/DatabaseBuild.h"
@@ -9,12 +10,11 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkSMPTools.h>
 #include <vtkTable.h>
 
-#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -60,6 +60,16 @@ vtkMotionDatabaseSource::vtkMotionDatabaseSource() : Impl(std::make_unique<Inter
 
 vtkMotionDatabaseSource::~vtkMotionDatabaseSource() = default;
 
+void vtkMotionDatabaseSource::SetController(vtkMultiProcessController* controller)
+{
+  this->Controller = controller; // which changes no byte of what comes out
+}
+
+vtkMultiProcessController* vtkMotionDatabaseSource::GetController()
+{
+  return this->Controller;
+}
+
 double vtkMotionDatabaseSource::InRange(const char* property, double value)
 {
   return waft::InRange<waft::DatabaseOptions>(property, value);
@@ -94,9 +104,10 @@ int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector**
     std::vector<waft::CoveragePoint> coverage;
     TimedMonitor monitor(this, this->TimeLimit);
     const waft::ParallelFor parallelFor = waft::SmpFor();
-    options.SimulationsAtOnce = std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 32);
+    options.SimulationsAtOnce = waft::ItemsAtOnce();
+    waft::ControllerCommunicator ranks(this->Controller);
     const waft::Result result =
-      waft::BuildDatabase(options, parallelFor, monitor, database, coverage);
+      waft::BuildDatabase(options, ranks, parallelFor, monitor, database, coverage);
     if (!result)
     {
       return waft::Fail(this, outputs, result.Message());

@@ -22,6 +22,7 @@
 
 #include "WaftProperty.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkSmartPointer.h"
 #include "vtkWaftSourcesModule.h"
 
 #include <memory>
@@ -38,6 +39,8 @@ struct EnsembleOptions;
 struct RotationRange;
 struct TraceOptions;
 }
+
+class vtkMultiProcessController;
 
 class VTKWAFTSOURCES_EXPORT vtkMotionDatabaseSource : public vtkMultiBlockDataSetAlgorithm
 {
@@ -89,6 +92,15 @@ public:
   WaftVector(double, ObstacleSize, 2);
   WaftProperty(int, RotationFreedom);
 
+  ///@{
+  /**
+   * Processes that simulate, of which this is the first; the others are in vtkSharedWork::Serve.
+   * None by default: this one alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -116,6 +128,7 @@ private:
   friend struct waft::RotationRange;
   friend struct waft::TraceOptions;
   double TimeLimit = 0.0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

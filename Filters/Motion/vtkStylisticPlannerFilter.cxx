@@ -10,6 +10,7 @@
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Files/EmbeddedDatabase.h"
 #include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -22,6 +23,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -162,8 +164,9 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
   WAFT_RETURN_IF_FAILED(this->TakeObstacles());
   std::vector<waft::Guide> guides;
   WAFT_RETURN_IF_FAILED(waft::GuidesFromPolyData(vtkPolyData::GetData(inputs[GuidesPort]), guides));
-  const waft::PlanInput input{ this->Database,  this->Objects, constraints,
-                               this->Obstacles, this->Scene,   guides };
+  waft::ControllerCommunicator ranks(this->Self->Controller);
+  const waft::PlanInput input{ this->Database, this->Objects, constraints, this->Obstacles,
+                               this->Scene,    guides,        &ranks };
   const auto options = waft::OptionsOf<waft::PlanOptions>(*this->Self);
   const auto choice = waft::OptionsOf<waft::TakeOptions>(*this->Self);
   waft::PlanOutput& plan = this->Plan;
@@ -208,6 +211,16 @@ vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<I
 }
 
 vtkStylisticPlannerFilter::~vtkStylisticPlannerFilter() = default;
+
+void vtkStylisticPlannerFilter::SetController(vtkMultiProcessController* controller)
+{
+  this->Controller = controller; // which changes no byte of what comes out
+}
+
+vtkMultiProcessController* vtkStylisticPlannerFilter::GetController()
+{
+  return this->Controller;
+}
 
 double vtkStylisticPlannerFilter::InRange(const char* property, double value)
 {

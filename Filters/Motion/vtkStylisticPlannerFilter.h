@@ -41,6 +41,7 @@
 
 #include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -51,6 +52,8 @@ struct PlanOptions;
 struct TakeOptions;
 struct RotationRange;
 }
+
+class vtkMultiProcessController;
 
 class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkSlicedPolyDataAlgorithm
 {
@@ -105,6 +108,15 @@ public:
   vtkBooleanMacro(Active, bool);
   ///@}
 
+  ///@{
+  /**
+   * Processes that plan, of which this is the first; the others are in vtkSharedWork::Serve. None
+   * by default: this one alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -135,6 +147,7 @@ private:
   int NumberOfPlannedObjects = 0;
 
   bool Active = true;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -72,6 +72,8 @@ LEFT = {
     ("Hardening.md", "cmake --preset sanitize"): NIGHTLY,
     ("Hardening.md", "valgrind --suppressions"): NIGHTLY,
     ("Hardening.md", "./waft package && cmake"): BUILDS,
+    ("ManyMachines.md", "mpiexec -n N waft"): "the usage; Python.Processes runs both",
+    ("ManyMachines.md", "#!/bin/sh"): "scripts for a cluster's queue; Python.Processes runs them",
     ("Measure.md", "python3 Testing/Python/motion_checks.py"): "its usage; Python.MotionChecks runs it",
     ("Obstacles.md", "z = surface height"): FORMULA,
     ("Paper.md", "pvpython Documentation/scripts/paper_table.py"): "Python.SixStages runs it on a small result",

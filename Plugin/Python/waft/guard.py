@@ -25,10 +25,11 @@ import time
 if __name__ == "__main__":  # run by its file alone: the package is where that is
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-from waft import ending, failures, texts  # noqa: E402
+from waft import ending, failures, processes, texts  # noqa: E402
 from waft.display import STOPS, display, start  # noqa: E402
 
 GRACE = 0.5  # s from a stop until a child that has nothing to write is ended
+PACKAGE = pathlib.Path(__file__).resolve().parent
 NOTHING_BEGUN = "stopped before anything was begun"
 # Lists of folders that programs look into, in which an empty entry is the working folder.
 SEARCHED = ("PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "PV_PLUGIN_PATH", "QT_PLUGIN_PATH")
@@ -68,13 +69,9 @@ def watch(arguments):
     reading, writing = os.pipe()
     given = os.memfd_create("waft")  # pvpython takes no names that are not of its locale
     os.write(given, b"\0".join(map(os.fsencode, arguments)))
-    package = pathlib.Path(__file__).resolve().parent
-    environment = {**os.environ, **variables, "WAFT_GUARD": str(writing), "WAFT_ARGUMENTS": str(given),
-                   "LC_ALL": "C.UTF-8",  # whose names of files are any
-                   "OMPI_MCA_ess_singleton_isolated": "1",  # no daemon of MPI
-                   "HWLOC_COMPONENTS": os.environ.get("HWLOC_COMPONENTS", "-gl"),  # nor a look at the X server's cards
-                   "PYTHONPATH": os.pathsep.join([str(package.parent), *filter(None, [os.environ.get("PYTHONPATH")])])}
-    child = start(["pvpython", str(package / "__main__.py")], STOPS, pass_fds=(writing, given, *descriptors), env=environment)
+    environment = {**environment_of_child(), **variables, "WAFT_GUARD": str(writing), "WAFT_ARGUMENTS": str(given),
+                   "OMPI_MCA_ess_singleton_isolated": "1"}  # no daemon of MPI
+    child = start(["pvpython", str(PACKAGE / "__main__.py")], STOPS, pass_fds=(writing, given, *descriptors), env=environment)
     os.close(writing)
     os.close(given)
     reports = Reports(reading)
@@ -100,6 +97,13 @@ def watch(arguments):
     return child.returncode
 
 
+def environment_of_child():
+    return {**os.environ,
+            "LC_ALL": "C.UTF-8",  # whose names of files are any
+            "HWLOC_COMPONENTS": os.environ.get("HWLOC_COMPONENTS", "-gl"),  # no look at the X server's cards
+            "PYTHONPATH": os.pathsep.join([str(PACKAGE.parent), *filter(None, [os.environ.get("PYTHONPATH")])])}
+
+
 def clear_line():
     """Takes away the progress line of a child that cannot any more."""
     if sys.stderr.isatty():
@@ -122,7 +126,7 @@ def check_version(command):
     from waft.loading import version
 
     if command not in (None, version()):
-        say(f"the command is of Waft {command}, the package {pathlib.Path(__file__).resolve().parent} of Waft {version()}: "
+        say(f"the command is of Waft {command}, the package {PACKAGE} of Waft {version()}: "
             "install both anew, from one")
         sys.exit(1)
 
@@ -141,6 +145,9 @@ def settle_environment():
 
 
 def main(arguments):
+    launched = processes.launch()
+    if launched is not None and not launched.is_first:
+        return work_for_first(launched, arguments)
     options = parse(arguments)
     try:
         os.getcwd()
@@ -150,11 +157,28 @@ def main(arguments):
     settle_environment()
     from waft import cli, watching
 
+    if launched is not None:
+        if options.command in processes.DIVIDED:
+            processes.become_pvbatch(launched, arguments, environment_of_child())
+        processes.leave_launcher()
     if not options.needs_paraview:
         watching.keep_stops()
         return cli.main(arguments)
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS | {signal.SIGCHLD})
     return cli.carry_out(options, arguments, lambda _: watch_with_display(arguments))
+
+
+def work_for_first(launched, arguments):
+    """What another process than the first does, which says nothing: the first says all."""
+    try:
+        with open(os.devnull, "w", encoding="utf-8") as nowhere, contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
+            options = parse(arguments)
+    except SystemExit:
+        return failures.ALL_MET
+    if options.command in processes.DIVIDED:
+        settle_environment()
+        processes.become_pvbatch(launched, arguments, environment_of_child())
+    return failures.ALL_MET
 
 
 def watch_with_display(arguments):

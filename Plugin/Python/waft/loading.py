@@ -5,6 +5,7 @@ import pathlib
 import sys
 from typing import Optional
 
+from waft.processes import threads_here
 from waft.reading import read_text
 
 _PACKAGE = pathlib.Path(__file__).resolve().parent
@@ -103,9 +104,10 @@ _has_threads = True
 
 
 def set_threads(threads: Optional[int]) -> None:
-    """Number of threads of every stage (None: all cores). Results do not depend on it."""
+    """Number of threads of every stage (None: all cores, divided among the processes of a launcher). Results do not depend on it."""
     from vtkmodules.vtkCommonCore import vtkSMPTools
 
+    threads = threads or threads_here()
     vtkSMPTools.SetBackend("STDThread" if threads != 1 and _has_threads else "Sequential")
     vtkSMPTools.Initialize(threads or 0)
 

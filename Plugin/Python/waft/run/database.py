@@ -11,6 +11,7 @@ from waft import failures, reading
 from waft.beneath import Folder
 from waft.files import table_rows, write_csv, write_xml
 from waft.loading import set_threads
+from waft.processes import share
 from waft.results import Busy, ResultPlace
 from waft.watching import Clock, StageWatch
 
@@ -110,6 +111,7 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
         source.StopBelow = stop_below
         source.CoverageTolerance = coverage_tolerance
         source.KeptIn = str(place.room)
+        share(source.GetClientSideObject())
         with Clock(time_limit, quiet, "stopped before a simulation was whole") as clock:
             watch = StageWatch("database", source, clock)
             watch.can_stop = True

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Optional
 from waft import failures
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
+from waft.processes import is_team, share
 from waft.reading import found_json
 from waft.results._records import REPORT, record_of
 from waft.results.store import Store
@@ -190,6 +191,7 @@ def _run(pipeline, course, is_found):
         checkpoint.take_plan(pipeline)
     else:
         pipeline.add_planner(course.seed)
+        share(pipeline.planner.GetClientSideObject())
         pipeline.watch("planner", clock)
         pipeline.update("planner")
         pipeline.plan_report = read_rows(pipeline.output("planner", 2))
@@ -233,6 +235,8 @@ def _assimilate(pipeline, course):
 
 def _optimise(pipeline, course):
     pipeline.add_spacetime()
+    if is_team():
+        pipeline.spacetime.GetClientSideObject().SetController(None)  # the others do not update it
     if course.checkpoint is not None:
         pipeline.spacetime.CheckpointFile = str(course.checkpoint.optimiser_file)
         if course.request.checkpoint_interval is not None:

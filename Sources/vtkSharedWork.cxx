@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSharedWork.h"
+
+#include "Bridge/Pipeline/Ranks.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Database/DatabaseBuild.h"
+#include "Planning/ScenePlans.h"
+
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkSharedWork);
+
+void vtkSharedWork::Serve(vtkMultiProcessController* controller)
+{
+  waft::ControllerCommunicator ranks(controller);
+  const waft::ParallelFor parallelFor = waft::SmpFor();
+  const auto simulate = [&](waft::ReadingStream& inputs, waft::SharedItems& items)
+  { return waft::ServeSimulations(inputs, items, waft::ItemsAtOnce(), parallelFor); };
+  const auto plan = [&](waft::ReadingStream& inputs, waft::SharedItems& items)
+  { return waft::ServePlans(inputs, items, waft::ItemsAtOnce(), parallelFor); };
+  waft::Serve(ranks, { { waft::SimulationKind, simulate }, { waft::PlanKind, plan } });
+}
+
+void vtkSharedWork::Release(vtkMultiProcessController* controller)
+{
+  waft::ControllerCommunicator ranks(controller);
+  waft::Release(ranks);
+}
