@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView: makes a scene, plans it and keeps it, with each stage's panel open for a while; then writes what came
 out to the file that WAFT_GUI_LOG names, and ends ParaView."""
-import json
-import os
-import traceback
-
 from paraview import simple
+from watching import SCENE, end, view, watch, write
 
 import waft
 
-view = simple.GetActiveViewOrCreate("RenderView")
 made = {}
 
 
@@ -42,12 +38,12 @@ def planner():
 def writer():
     show("writer", simple.MotionSceneWriter(
         Objects=made["object"], Constraints=made["rows"], Obstacles=made["ground"]), None)
-    simple.SaveData(os.environ["WAFT_GUI_SCENE"], proxy=made["writer"])
+    simple.SaveData(SCENE, proxy=made["writer"])
 
 
 def stages():
     """Those of an animation, which are joined already; nothing of it runs."""
-    animation = simple.WaftAnimation(FileName=os.environ["WAFT_GUI_SCENE"], Quality="Full")
+    animation = simple.WaftAnimation(FileName=SCENE, Quality="Full")
     waft.unfold(animation)
 
 
@@ -60,9 +56,8 @@ def finish():
     report = made["planner"].GetClientSideObject().GetOutputDataObject(2)
     result = {"tracks": data["planner"].GetNumberOfLines(),
               "statuses": [report.GetValueByName(row, "Status").ToString() for row in range(report.GetNumberOfRows())]}
-    with open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8") as log:
-        json.dump(result, log)
-    os._exit(0)  # ParaView's own way out asks whether to save
+    write(result)
+    end()
 
 
 STEPS = [
@@ -75,16 +70,4 @@ STEPS = [
     lambda: simple.SetActiveSource(simple.GridSmokeSource()), stages, *map(look_at, ("Assimilation", "Spacetime", "Rotation")),
     finish]
 steps = iter(STEPS)
-
-
-def step(*_):
-    try:
-        next(steps)()
-    except Exception:
-        traceback.print_exc()
-        os._exit(1)
-
-
-interactor = view.GetInteractor()
-interactor.AddObserver("TimerEvent", step)
-interactor.CreateRepeatingTimer(300)
+watch(lambda: next(steps)(), between=300)

@@ -6,12 +6,10 @@
 import json
 import math
 import pathlib
-import sys
 import tempfile
-import unittest
 from xml.etree import ElementTree
 
-from window import HERE, play, run_paraview
+from window import HERE, WindowTest, main, play, run_paraview
 
 
 def effort(events):
@@ -33,7 +31,7 @@ def effort(events):
     return clicks, fields
 
 
-class WidgetTest(unittest.TestCase):
+class WidgetTest(WindowTest):
     @classmethod
     def setUpClass(cls):
         with tempfile.TemporaryDirectory() as folder:
@@ -45,10 +43,8 @@ class WidgetTest(unittest.TestCase):
     def shown(self, note):
         return [widget["kind"] for widget in note["widgets"] if widget["shown"]]
 
-    def check_run(self, status, printed):
-        self.assertEqual(status, 0, printed)
-        for sign in ("ERR|", "WARN|", "FATL|", "Traceback", "critical:"):
-            self.assertNotIn(sign, printed)
+    def check_run(self, status, printed, signs=("ERR|", "WARN|", "FATL|", "Traceback", "critical:")):
+        super().check_run(status, printed, signs)
 
     def test_panels_open_without_a_complaint(self):
         self.check_run(self.status, self.printed)
@@ -67,9 +63,7 @@ class WidgetTest(unittest.TestCase):
     def test_one_apply_shows_an_animation_and_its_stages(self):
         with tempfile.TemporaryDirectory() as folder:
             status, printed, notes = play("animation.xml", pathlib.Path(folder), "watch_animation.py")
-        self.assertEqual(status, 0, printed)
-        for sign in ("ERR|", "FATL|", "Traceback", "critical:"):
-            self.assertNotIn(sign, printed)
+        super().check_run(status, printed)
         self.assertIn({"Meshes": "MotionBodiesRepresentation", "Poses": "MotionFaintPathsRepresentation",
                        "Obstacles": "MotionObstaclesRepresentation", "Marks": "MotionMarksRepresentation"},
                       [note["shown"] for note in notes])
@@ -133,5 +127,4 @@ class WidgetTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    sys.exit(0 if done.result.wasSuccessful() else 1)
+    main()

@@ -1,20 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; notes each
 picture that the window draws, and what the picture is when the work is done; ends ParaView when Play has come to the last frame."""
-import json
-import os
 import time
-import traceback
 
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from watching import SCENE, animation_of_the_menu, end, has_bodies, view, watch, write
 
 import waft
 from waft import showing
 
-DEADLINE = 600.0  # s
 FRAMES = 40
 scene = waft.Scene(seed=5)
 scene.set_time(FRAMES)
@@ -24,18 +21,10 @@ scene.add_position(0, 20, (0.1, 0.2, 2.3), radius=0.05)
 scene.add_position(1, 35, (-0.3, 0.1, 2.2), radius=0.05)
 scene.add_box((-0.2, -0.2, 1.9), (0.2, 0.2, 2.1))
 scene.add_position(1, 38, (0, 0, 2))  # within the box: it cannot be met
-scene.save(os.environ["WAFT_GUI_SCENE"])
-log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
-view = simple.GetActiveViewOrCreate("RenderView")
+scene.save(SCENE)
 keeper = simple.GetTimeKeeper()
-began = time.monotonic()
 done = None  # when the work was; -1: looked at
 hears = looks = ended = False
-
-
-def write(**line):
-    log.write(json.dumps(line) + "\n")
-    log.flush()
 
 
 def picture():
@@ -73,23 +62,18 @@ def look(animation):
     line["looks"] = [str(simple.GetRepresentation(animation[port], view).Representation).strip("'") for port in ("Meshes", "Poses", "Obstacles", "Marks")]
     line["background"] = str(view.BackgroundColorMode).strip("'")
     showing._look_at(view, [simple.OutputPort(animation, port) for port in (0, 1, 2, 4)])  # those that are shown by themselves
-    write(**line, shown=camera())
+    write({**line, "shown": camera()})
 
 
 def step():
     global done, hears, looks
-    animation = simple.FindSource("WaftAnimation1")
+    animation = animation_of_the_menu()
     if animation is None:
-        return
-    if not animation.FileName:
-        animation.SMProxy.GetProperty("FileName").SetElement(0, os.environ["WAFT_GUI_SCENE"])  # for Apply to push
         return
     if not hears:
         hears = True
         view.GetRenderWindow().AddObserver("EndEvent", drawn)
-    source = animation.GetClientSideObject()
-    meshes = source.GetOutputDataObject(0)
-    if done is None and meshes is not None and meshes.GetNumberOfPoints() > 0 and source.GetComplete():
+    if done is None and has_bodies(animation) and animation.GetClientSideObject().GetComplete():
         done = time.monotonic()
     elif done is not None and done > 0 and time.monotonic() - done > 1.0:  # the window has drawn it
         done = -1.0
@@ -97,27 +81,15 @@ def step():
         look(animation)
         looks = False
     if done == -1.0 and ended:
-        os._exit(0)  # ParaView's own way out asks whether to save
+        end()
 
 
 def drawn(*_):
     global ended
     if not looks:
         image = picture()
-        write(time=keeper.Time, columns=np.round(image.mean(axis=(0, 2)), 3).tolist())
+        write({"time": keeper.Time, "columns": np.round(image.mean(axis=(0, 2)), 3).tolist()})
         ended = ended or keeper.Time >= (FRAMES - 1.5) / 30
 
 
-def note(*_):
-    try:
-        step()
-        if time.monotonic() - began > DEADLINE:
-            raise TimeoutError("Play did not come to the last frame in time")
-    except Exception:
-        traceback.print_exc()
-        os._exit(1)
-
-
-interactor = view.GetInteractor()
-interactor.AddObserver("TimerEvent", note)
-interactor.CreateRepeatingTimer(50)
+watch(step, ends=True)

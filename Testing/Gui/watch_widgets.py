@@ -1,14 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: notes, a line a change, the active source, its points, what a plan's
 report says and the 3-D widgets of the view, in the file that WAFT_GUI_LOG names."""
-import json
-import os
-
 from paraview import simple
-
-log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
-view = simple.GetActiveViewOrCreate("RenderView")
-last = None
+from watching import view, watch, write_change
 
 
 def widgets():
@@ -29,22 +23,14 @@ def statuses(algorithm):
     return [table.GetValueByName(row, "Status").ToString() for row in range(rows)]
 
 
-def note(*_):
-    global last
+def look():
     source = simple.GetActiveSource()
     if source is None:
         return
     algorithm = source.GetClientSideObject()
     data = algorithm.GetOutputDataObject(0)
     points = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())] if data else []
-    line = json.dumps({"source": source.SMProxy.GetXMLName(), "points": points, "statuses": statuses(algorithm),
-                       "widgets": widgets()})
-    if line != last:
-        log.write(line + "\n")
-        log.flush()
-        last = line
+    write_change({"source": source.SMProxy.GetXMLName(), "points": points, "statuses": statuses(algorithm), "widgets": widgets()})
 
 
-interactor = view.GetInteractor()
-interactor.AddObserver("TimerEvent", note)
-interactor.CreateRepeatingTimer(50)
+watch(look)

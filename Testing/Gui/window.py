@@ -5,6 +5,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import unittest
 
 PARAVIEW, XVFB, PLUGINS, MODULES = sys.argv[1:5]
 HERE = pathlib.Path(__file__).parent
@@ -37,7 +38,7 @@ def run_paraview(folder, arguments):
     """ParaView's exit status and what it printed."""
     with Screen() as display:
         environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
-                       "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": MODULES, "WAFT_GUI_LOG": str(folder / "log"),
+                       "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": f"{MODULES}{os.pathsep}{HERE}", "WAFT_GUI_LOG": str(folder / "log"),
                        "WAFT_GUI_SCENE": str(folder / "kept.waft.json"), "WAFT_GUI_SAMPLES": str(HERE.parent / "Python")}
         done = subprocess.run([PARAVIEW, "--dr", *arguments], env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
@@ -53,3 +54,15 @@ def play(events, folder, watch="watch_widgets.py", ends=True):
     status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
                                             f"--test-script={script}", *(["--exit"] if ends else [])])
     return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]
+
+
+class WindowTest(unittest.TestCase):
+    def check_run(self, status, printed, signs=("ERR|", "FATL|", "Traceback", "critical:")):
+        self.assertEqual(status, 0, printed)
+        for sign in signs:
+            self.assertNotIn(sign, printed)
+
+
+def main():
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.exit(0 if done.result.wasSuccessful() else 1)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What scripts share that run inside ParaView while an event script plays: a log, and a look again and again."""
+import hashlib
+import json
+import os
+import time
+import traceback
+
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+SCENE = os.environ["WAFT_GUI_SCENE"]  # the file of the scene that the script makes
+DEADLINE = 600.0                      # s: a look may end ParaView, and has not
+LOOK = 50                             # ms
+log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
+view = simple.GetActiveViewOrCreate("RenderView")
+_last = None
+
+
+def write(line):
+    log.write(json.dumps(line) + "\n")
+    log.flush()
+
+
+def write_change(line):
+    """Where it is another than the last."""
+    global _last
+    if line != _last:
+        _last = line
+        write(line)
+
+
+def end(status=0):
+    """At once: ParaView's own way out asks whether to save."""
+    log.flush()
+    os._exit(status)
+
+
+def watch(look, between=LOOK, ends=False):
+    """Calls `look` as long as ParaView runs, one call at a time; with `ends` it is one that ends ParaView, and has a deadline."""
+    began = time.monotonic()
+    is_busy = False
+
+    def tick(*_):
+        nonlocal is_busy
+        if is_busy:
+            return
+        is_busy = True
+        try:
+            look()
+            if ends and time.monotonic() - began > DEADLINE:
+                raise TimeoutError(f"expected an end within {DEADLINE:g} s")
+        except Exception:
+            traceback.print_exc()
+            end(1)
+        is_busy = False
+
+    interactor = view.GetInteractor()
+    interactor.AddObserver("TimerEvent", tick)
+    interactor.CreateRepeatingTimer(between)
+
+
+def animation_of_the_menu(name="WaftAnimation1", file=SCENE, **numbers):
+    """The source that an event script makes, None before; it gets its file for Apply to push, and numbers beside."""
+    animation = simple.FindSource(name)
+    if animation is not None and not animation.FileName:
+        for key, value in numbers.items():
+            animation.SMProxy.GetProperty(key).SetElement(0, value)
+        animation.SMProxy.GetProperty("FileName").SetElement(0, file)
+    return animation
+
+
+def has_bodies(animation):
+    """Whether Apply has come to a first picture."""
+    meshes = animation.GetClientSideObject().GetOutputDataObject(0)
+    shown = view.SMProxy.FindRepresentation(animation.SMProxy, 0) is not None
+    return shown and meshes is not None and meshes.GetNumberOfPoints() > 0
+
+
+def digest(animation):
+    """Of all poses."""
+    poses = animation.GetClientSideObject().GetOutputDataObject(1)
+    arrays = [poses.GetPoints().GetData(), poses.GetPointData().GetArray("Orientation")]
+    return hashlib.sha256(b"".join(vtk_to_numpy(array).tobytes() for array in arrays)).hexdigest()
