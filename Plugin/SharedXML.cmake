@@ -18,14 +18,17 @@ set(WAFT_ACTIVE [=[
 set(WAFT_SLICES [=[
       <Option name="Slice" panel_visibility="never"/>
       <Property name="WorkInSlices" command="WorkInSlices" panel_visibility="never">
-        <Documentation>From now on the stage works in slices as short as a window wants them.</Documentation>
+        <Documentation>From now on the stage works as a window wants it: an update returns soon, and the work goes on beside.</Documentation>
       </Property>
       <DoubleVectorProperty name="SliceInUse" command="GetSlice" information_only="1" panel_visibility="never">
         <SimpleDoubleInformationHelper/>
         <Documentation>Seconds of work in an update, whoever asked for them.</Documentation>
       </DoubleVectorProperty>
       <Property name="GoOn" command="GoOn" panel_visibility="never">
-        <Documentation>The next update goes on with the work that is held; nothing where none is.</Documentation>
+        <Documentation>The next update goes on with the work that has not ended, and shows the motion so far; nothing where none is.</Documentation>
+      </Property>
+      <Property name="Hold" command="Hold" panel_visibility="never">
+        <Documentation>Work that goes on beside waits until an update goes on with it.</Documentation>
       </Property>
       <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="advanced">
         <SimpleIntInformationHelper/>
@@ -33,9 +36,17 @@ set(WAFT_SLICES [=[
       </IntVectorProperty>
       <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1" panel_visibility="advanced">
         <SimpleDoubleInformationHelper/>
-        <Documentation>Of the work that is held: 0 to 1.</Documentation>
+        <Documentation>Of the work that has not ended: 0 to 1.</Documentation>
       </DoubleVectorProperty>
-      <StringVectorProperty name="Message" command="GetProgressText" information_only="1" panel_visibility="advanced">
+      <IntVectorProperty name="WorkState" command="GetWorkState" information_only="1" panel_visibility="never">
+        <SimpleIntInformationHelper/>
+        <Documentation>0: there is no work; 1: it is held; 2: it goes on beside; 3: it has come to its end, which the next update after GoOn shows.</Documentation>
+      </IntVectorProperty>
+      <DoubleVectorProperty name="SecondsLeft" command="GetSecondsLeft" information_only="1" panel_visibility="advanced">
+        <SimpleDoubleInformationHelper/>
+        <Documentation>Seconds that the work takes from here on, by those that it took; below 0 while that is not known.</Documentation>
+      </DoubleVectorProperty>
+      <StringVectorProperty name="Message" command="GetWorkText" information_only="1" panel_visibility="advanced">
         <SimpleStringInformationHelper/>
         <Documentation>What the stage does; done in the end, or why it failed.</Documentation>
       </StringVectorProperty>]=])

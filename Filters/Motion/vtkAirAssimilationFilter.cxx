@@ -125,6 +125,7 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   WAFT_RETURN_IF_FAILED(
     waft::AssimilateAir(input, waft::OptionsOf<waft::AssimilationOptions>(*this->Self), solids,
                         waft::SmpFor(), monitor, this->Solution, &this->Memory));
+  this->Rejoin();
   this->Warnings = this->Solution.Warnings;
   auto* tracks = this->Kept<vtkPolyData>(TracksPort);
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);

@@ -168,6 +168,7 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
   const waft::Result result =
     waft::RunChain({ this->Read, this->Wind, this->Database }, this->Options(), waft::SmpFor(),
                    monitor, this->Made, &this->Memory);
+  this->Rejoin();
   WAFT_RETURN_IF_FAILED(result);
   for (const auto& [stage, seconds] : this->Made.Seconds) // what was kept has warned already
   {

@@ -157,6 +157,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   const waft::Result result =
     waft::RunRotationRefine(input, waft::OptionsOf<waft::RotationOptions>(*this->Self),
                             waft::SmpFor(), monitor, this->Rotation);
+  this->Rejoin();
   if (result && !result.IsStopped()) // half of the poses are of no use
   {
     this->Tracks = std::move(input.Tracks);

@@ -145,6 +145,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
     waft::BroadcastStream stream(ranks);
     stream.Values(this->Solution);
   }
+  this->Rejoin();
   this->Warnings = this->Solution.Warnings;
   if (isForAll || ranks.IsFirst())
   {

@@ -8,6 +8,15 @@
 
 #include <algorithm>
 
+namespace
+{
+
+// From which on the time that a work takes can be told.
+constexpr double LeastDone = 0.05;
+constexpr double LeastSeconds = 1.0;
+
+} // namespace
+
 vtkSlicedPolyDataAlgorithm::vtkSlicedPolyDataAlgorithm() = default;
 
 vtkSlicedPolyDataAlgorithm::~vtkSlicedPolyDataAlgorithm() = default;
@@ -20,6 +29,7 @@ void vtkSlicedPolyDataAlgorithm::SetSlice(double seconds)
 void vtkSlicedPolyDataAlgorithm::WorkInSlices()
 {
   this->SetSlice(0.2);
+  this->Kept().WorkBeside();
 }
 
 void vtkSlicedPolyDataAlgorithm::GoOn()
@@ -27,14 +37,38 @@ void vtkSlicedPolyDataAlgorithm::GoOn()
   this->Kept().GoOn();
 }
 
+void vtkSlicedPolyDataAlgorithm::Hold()
+{
+  this->Kept().Hold();
+}
+
 int vtkSlicedPolyDataAlgorithm::GetComplete()
 {
   return waft::HasFailed(this) || this->Kept().IsComplete() ? 1 : 0;
 }
 
+int vtkSlicedPolyDataAlgorithm::GetWorkState()
+{
+  return static_cast<int>(this->Kept().Now());
+}
+
 double vtkSlicedPolyDataAlgorithm::GetWorkDone()
 {
-  return this->Kept().WorkDone();
+  return this->Kept().SoFar().Done;
+}
+
+std::string vtkSlicedPolyDataAlgorithm::GetWorkText()
+{
+  const std::string text = this->Kept().SoFar().Text;
+  const char* ended = this->GetProgressText();
+  return !text.empty() || ended == nullptr ? text : ended;
+}
+
+double vtkSlicedPolyDataAlgorithm::GetSecondsLeft()
+{
+  const waft::SlicedRun::Progress work = this->Kept().SoFar();
+  const bool isKnown = work.Done >= 1.0 || (work.Done > LeastDone && work.Seconds > LeastSeconds);
+  return isKnown ? work.Seconds * (1.0 - work.Done) / work.Done : -1.0;
 }
 
 void vtkSlicedPolyDataAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,7 +5,9 @@
  *
  * With Slice an update returns after about so many seconds of work. While Complete is 0, outputs
  * show the motion so far and have the field data `Complete` (int, 0); GoOn makes the next update go
- * on. A change of properties or inputs discards what is held, which stops the stage as abort does.
+ * on. After WorkInSlices the work goes on beside as well, on a thread of its own, from one update
+ * to the next: that which GoOn asked for shows what there is by then. A change of properties or
+ * inputs discards, at the next update, what there is so far, which stops the stage as abort does.
  * Of several MPI processes each works all at once.
  */
 #ifndef vtkSlicedPolyDataAlgorithm_h
@@ -13,6 +15,8 @@
 
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
+
+#include <string>
 
 namespace waft
 {
@@ -33,15 +37,32 @@ public:
   void SetSlice(double seconds);
   vtkGetMacro(Slice, double);
   ///@}
-  /** Sets a Slice as short as a window wants it, 0.2 s. */
+  /** Works as a window wants it: a Slice of 0.2 s, and on from there beside the updates. */
   void WorkInSlices();
-  /** The next update goes on with the work that is held; nothing where none is. */
+  /** The next update goes on with the work that has not ended, and where it goes on beside shows
+   * what it has come to; nothing where none is. */
   void GoOn();
+  /** Work that goes on beside waits until an update goes on with it. */
+  void Hold();
   /** 1 when nothing is left to do: what the last update gave is the whole result, or it failed. 0
-   * when it is not: the stage's own work is held, or an input is not complete. */
+   * when it is not: the stage's own work has not ended, or an input is not complete. */
   int GetComplete();
-  /** Of the work that is held: 0 to 1. */
+  enum WorkStates
+  {
+    NO_WORK,
+    HELD,
+    BESIDE, // it goes on by itself
+    ARRIVED // it went on by itself to its end, which the next update after GoOn shows
+  };
+  ///@{
+  /** Of the work that has not been shown whole: one of WorkStates; 0 to 1 of it; what it does, or
+   * why it failed; seconds that it will take from here on by those that it took, below 0 while that
+   * is not known. */
+  int GetWorkState();
   double GetWorkDone();
+  std::string GetWorkText();
+  double GetSecondsLeft();
+  ///@}
 
 protected:
   vtkSlicedPolyDataAlgorithm();

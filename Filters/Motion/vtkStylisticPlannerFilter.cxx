@@ -173,6 +173,7 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
   std::vector<waft::TakeScore> takes;
   const waft::Result result =
     waft::PlanTakes(input, options, choice, waft::SmpFor(), monitor, plan, takes, &this->Memory);
+  this->Rejoin();
   this->Self->NumberOfPlannedObjects =
     static_cast<int>(std::count_if(plan.Objects.begin(), plan.Objects.end(),
                                    [](const waft::ObjectRow& object) { return object.IsPlanned; }));

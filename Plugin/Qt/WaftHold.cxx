@@ -68,7 +68,7 @@ void WaftHold::WatchActions()
 
 void WaftHold::onSaved()
 {
-  if (!waft::HeldStages().empty())
+  if (!waft::UnfinishedStages().empty())
   {
     vtkOutputWindowDisplayWarningText("Waft: the work is not done: what was saved now shows the "
                                       "motion so far. Save again when the tool bar Waft says "

@@ -6,7 +6,9 @@
 #include <pqServerManagerModel.h>
 
 #include <vtkSMPropertyHelper.h>
-#include <vtkSMProxy.h>
+#include <vtkSMSourceProxy.h>
+
+#include <algorithm>
 
 namespace waft
 {
@@ -19,26 +21,35 @@ bool WorksInSlices(vtkSMProxy* source)
   return source->GetProperty("WorkInSlices") != nullptr;
 }
 
-bool IsComplete(vtkSMProxy* stage)
+/// An information of a stage as it is now.
+vtkSMPropertyHelper Ask(vtkSMProxy* stage, const char* name)
 {
-  stage->UpdatePropertyInformation(stage->GetProperty("Complete"));
-  return vtkSMPropertyHelper(stage, "Complete").GetAsInt() != 0;
+  stage->UpdatePropertyInformation(stage->GetProperty(name));
+  return { stage, name };
 }
+
+enum WorkState // of vtkSlicedPolyDataAlgorithm
+{
+  NoWork,
+  Held,
+  Beside,
+  Arrived
+};
 
 } // namespace
 
-std::vector<pqPipelineSource*> HeldStages()
+Stages UnfinishedStages()
 {
-  std::vector<pqPipelineSource*> held;
+  Stages unfinished;
   const auto model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
-    if (WorksInSlices(source->getProxy()) && !IsComplete(source->getProxy()))
+    if (WorksInSlices(source->getProxy()) && Ask(source->getProxy(), "Complete").GetAsInt() == 0)
     {
-      held.push_back(source);
+      unfinished.emplace_back(source);
     }
   }
-  return held;
+  return unfinished;
 }
 
 void WorkInSlices(vtkSMProxy* source)
@@ -49,21 +60,55 @@ void WorkInSlices(vtkSMProxy* source)
   }
 }
 
-WorkOfStage WorkOf(vtkSMProxy* stage)
+WorkOfStages WorkOf(const Stages& stages)
 {
-  stage->UpdatePropertyInformation(stage->GetProperty("Message"));
-  stage->UpdatePropertyInformation(stage->GetProperty("WorkDone"));
-  const char* message = vtkSMPropertyHelper(stage, "Message").GetAsString();
-  return { QString::fromUtf8(message != nullptr ? message : ""),
-           vtkSMPropertyHelper(stage, "WorkDone").GetAsDouble() };
+  WorkOfStages all;
+  int works = 0; // the others wait for these
+  for (pqPipelineSource* source : stages)
+  {
+    vtkSMProxy* stage = source->getProxy();
+    const int state = Ask(stage, "WorkState").GetAsInt();
+    if (state == NoWork)
+    {
+      continue;
+    }
+    all.IsBeside = all.IsBeside || state == Beside;
+    all.IsHeld = all.IsHeld || state == Held;
+    all.HasArrived = all.HasArrived || state == Arrived;
+    const double left = Ask(stage, "SecondsLeft").GetAsDouble();
+    const bool isKnown = left >= 0.0 && (works == 0 || all.SecondsLeft >= 0.0);
+    all.SecondsLeft = isKnown ? std::max(left, all.SecondsLeft) : -1.0;
+    all.Done += Ask(stage, "WorkDone").GetAsDouble();
+    if (works++ == 0)
+    {
+      all.Message = QString::fromUtf8(Ask(stage, "Message").GetAsString());
+    }
+  }
+  all.Done /= std::max(works, 1);
+  return all;
 }
 
-void GoOn(const std::vector<pqPipelineSource*>& held)
+void HoldWork(const Stages& stages)
 {
-  for (pqPipelineSource* source : held)
+  for (pqPipelineSource* source : stages)
+  {
+    source->getProxy()->InvokeCommand("Hold");
+  }
+}
+
+void UpdateStages(const Stages& stages, double time)
+{
+  for (pqPipelineSource* source : stages)
   {
     source->getProxy()->InvokeCommand("GoOn");
     source->getProxy()->MarkModified(source->getProxy());
+  }
+  for (const QPointer<pqPipelineSource>& source : stages)
+  {
+    if (source)
+    {
+      vtkSMSourceProxy::SafeDownCast(source->getProxy())->UpdatePipeline(time);
+    }
   }
 }
 

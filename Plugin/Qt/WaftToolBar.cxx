@@ -14,7 +14,7 @@
 #include <pqTimeKeeper.h>
 #include <pqView.h>
 
-#include <vtkSMSourceProxy.h>
+#include <vtkSMProxy.h>
 
 #include <QMainWindow>
 #include <QProgressBar>
@@ -28,10 +28,28 @@
 namespace
 {
 
-constexpr int Pause = 10;         // ms for the window's own events
-constexpr int WorkPerPicture = 3; // of the time that a picture takes, at least
+constexpr int BetweenLooks = 100;       // ms
+constexpr qint64 BetweenPictures = 500; // ms
+constexpr qint64 WorkPerPicture = 9;    // of the time that a picture takes, at least
 constexpr int BarSteps = 1000;
-constexpr int BarWidth = 360; // pixels
+constexpr int BarWidth = 420; // pixels
+constexpr double Minute = 60.0;
+
+/// What is left of a work, as a person says it.
+QString TimeLeft(double seconds)
+{
+  const int minutes = static_cast<int>(std::ceil(seconds / Minute));
+  return seconds < 0.0      ? QString()
+         : seconds < Minute ? QString(", %1 s left").arg(std::max(1, static_cast<int>(seconds)))
+                            : QString(", %1 min left").arg(minutes);
+}
+
+double SessionTime()
+{
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  const QList<pqTimeKeeper*> keepers = model->findItems<pqTimeKeeper*>();
+  return keepers.empty() ? 0.0 : keepers.front()->getTime();
+}
 
 } // namespace
 
@@ -53,7 +71,7 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->connect(this->GoOn, &QToolButton::clicked, this, &WaftToolBar::onGoOn);
 
   this->Timer.setSingleShot(true);
-  this->Timer.setInterval(Pause);
+  this->Timer.setInterval(BetweenLooks);
   this->connect(&this->Timer, &QTimer::timeout, this, &WaftToolBar::onTimer);
   pqApplicationCore* core = pqApplicationCore::instance();
   pqObjectBuilder* builder = core->getObjectBuilder();
@@ -124,103 +142,105 @@ void WaftToolBar::onTimer()
   {
     return;
   }
-  if (this->Hold->IsOn())
+  if (this->Hold->IsWithin())
   {
     this->Timer.start();
     return;
   }
   this->IsInside = true;
-  std::vector<pqPipelineSource*> held = waft::HeldStages();
-  if (!held.empty() && this->Now != State::Stopped)
+  this->Look();
+  this->IsInside = false;
+  if (this->Now == State::Working)
   {
-    this->WorkOn(held);
-    held = waft::HeldStages();
-  }
-  if (held.empty())
-  {
-    if (this->Now != State::Resting)
-    {
-      this->Draw();
-    }
-    this->Show(State::Resting, held);
-  }
-  else if (this->Now != State::Stopped)
-  {
-    this->Show(State::Working, held);
     this->Timer.start();
   }
-  this->IsInside = false;
 }
 
-void WaftToolBar::WorkOn(const std::vector<pqPipelineSource*>& held)
+// The stages know whether they go on: one that was changed while others were stopped begins anew.
+void WaftToolBar::Look()
 {
-  waft::GoOn(held);
-  auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  const QList<pqTimeKeeper*> keepers = model->findItems<pqTimeKeeper*>();
-  const double time = keepers.empty() ? 0.0 : keepers.front()->getTime();
-  for (pqPipelineSource* source : held)
+  const waft::Stages unfinished = waft::UnfinishedStages();
+  const waft::WorkOfStages work = waft::WorkOf(unfinished);
+  if (work.IsBeside || work.HasArrived)
   {
-    auto* proxy = vtkSMSourceProxy::SafeDownCast(source->getProxy());
-    proxy->UpdatePipeline(time);
+    this->Show(State::Working, work);
+    if (!this->Hold->IsOn() && this->IsPictureDue(work.HasArrived))
+    {
+      this->TakePicture();
+    }
   }
-  // Where pictures take long they are not to take the most of the time.
-  if (!this->SinceDrawn.isValid() ||
-      this->SinceDrawn.elapsed() >= WorkPerPicture * this->DrawingTook)
+  else if (work.IsHeld)
   {
-    this->Draw();
+    this->Show(State::Stopped, work);
   }
+  else
+  {
+    this->Show(State::Resting, work);
+  }
+}
+
+// Where pictures take long they are not to take the most of the time.
+bool WaftToolBar::IsPictureDue(bool hasArrived) const
+{
+  return hasArrived || this->SincePicture.elapsed() >=
+                         std::max(BetweenPictures, WorkPerPicture * this->PictureTook);
+}
+
+void WaftToolBar::TakePicture()
+{
+  QElapsedTimer clock;
+  clock.start();
+  waft::UpdateStages(waft::UnfinishedStages(), SessionTime());
+  this->Draw();
+  this->PictureTook = clock.elapsed();
+  this->SincePicture.start();
 }
 
 void WaftToolBar::Draw()
 {
-  QElapsedTimer clock;
-  clock.start();
   this->Camera->Refresh();
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqView* view : model->findItems<pqView*>())
   {
     view->forceRender();
   }
-  this->DrawingTook = clock.elapsed();
-  this->SinceDrawn.start();
 }
 
 void WaftToolBar::onStop()
 {
-  if (this->Now == State::Working)
-  {
-    this->Timer.stop();
-    this->Draw();
-    this->Show(State::Stopped, waft::HeldStages());
-  }
+  waft::HoldWork(waft::UnfinishedStages());
+  this->Timer.start();
 }
 
 void WaftToolBar::onGoOn()
 {
-  if (this->Now == State::Stopped)
+  for (pqPipelineSource* source : waft::UnfinishedStages())
   {
-    this->Show(State::Working, waft::HeldStages());
-    this->Timer.start();
+    waft::WorkInSlices(source->getProxy()); // one may be a script's
   }
+  this->TakePicture();
+  this->Timer.start();
 }
 
-void WaftToolBar::Show(State state, const std::vector<pqPipelineSource*>& held)
+void WaftToolBar::Show(State state, const waft::WorkOfStages& work)
 {
-  const bool ends = state == State::Resting && this->Now != State::Resting;
+  const State before = this->Now;
   this->Now = state;
   this->Stop->setEnabled(state == State::Working);
   this->GoOn->setEnabled(state == State::Stopped);
-  if (held.empty())
+  this->Bar->setEnabled(state != State::Resting);
+  if (state == State::Resting)
   {
-    this->Bar->setValue(ends ? BarSteps : this->Bar->value());
-    this->Bar->setFormat(ends ? "done" : this->Bar->format());
-    this->Bar->setEnabled(false);
+    this->Bar->setValue(before != state ? BarSteps : this->Bar->value());
+    this->Bar->setFormat(before != state ? "done" : this->Bar->format());
     return;
   }
-  // Those after the first wait for it.
-  const waft::WorkOfStage work = waft::WorkOf(held.front()->getProxy());
-  this->Bar->setEnabled(true);
+  if (before == State::Resting)
+  {
+    this->SincePicture.start(); // Apply has drawn
+  }
+  const QString left = TimeLeft(work.SecondsLeft);
   this->Bar->setValue(static_cast<int>(std::lround(BarSteps * std::clamp(work.Done, 0.0, 1.0))));
-  this->Bar->setFormat((state == State::Stopped ? "stopped: " : "") + work.Message);
+  this->Bar->setFormat(state == State::Stopped ? "stopped: " + work.Message : work.Message + left);
   this->Bar->setToolTip(this->Bar->format());
 }

@@ -5,8 +5,6 @@
 #include <QTimer>
 #include <QToolBar>
 
-#include <vector>
-
 class QProgressBar;
 class QToolButton;
 class WaftCamera;
@@ -14,8 +12,13 @@ class WaftCheck;
 class WaftHold;
 class pqPipelineSource;
 
-/// Sources that are made in the window work in slices: Apply returns after the first, the others
-/// follow by a timer, with new pictures, until the work is done or Stop is pressed.
+namespace waft
+{
+struct WorkOfStages;
+}
+
+/// Sources that are made in the window work beside it: Apply returns soon, a timer looks how far
+/// the work is and takes pictures of it, until the work is done or Stop is pressed.
 class WaftToolBar : public QToolBar
 {
   Q_OBJECT
@@ -42,8 +45,12 @@ private:
 
   QToolButton* AddButton(const char* name, const QString& text, const QString& tip);
   void MoveDown();
-  void Show(State state, const std::vector<pqPipelineSource*>& held);
-  void WorkOn(const std::vector<pqPipelineSource*>& held);
+  void Look();
+  /// Of work that goes on: whether it may be shown again.
+  bool IsPictureDue(bool hasArrived) const;
+  /// Shows what the work has come to.
+  void TakePicture();
+  void Show(State state, const waft::WorkOfStages& work);
   /// Renders all views.
   void Draw();
 
@@ -51,11 +58,11 @@ private:
   WaftCheck* Check;
   QTimer Timer;
   WaftHold* Hold;
-  QElapsedTimer SinceDrawn;
-  qint64 DrawingTook = 0; // ms, the last time
+  QElapsedTimer SincePicture;
+  qint64 PictureTook = 0; // ms, the last time
   QToolButton* Stop;
   QToolButton* GoOn;
   QProgressBar* Bar;
   State Now = State::Resting;
-  bool IsInside = false; // of onTimer: an update lets the window's events through
+  bool IsInside = false; // of Look: an update lets the window's events through
 };

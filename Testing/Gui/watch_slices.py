@@ -1,114 +1,127 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a scene with a feather;
-notes, a line a look, how far the work is. In the middle it saves frames. When it is done it compares with a run all at once,
-and ends ParaView."""
-import hashlib
-import json
+"""Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a scene with feathers, in
+a quality that takes long; notes, a line a look, how far the work is, and what the window draws. When the work was held and has gone on
+it saves frames; then it changes file and quality to what is soon done, compares with a run all at once, and ends ParaView."""
 import os
 import time
-import traceback
 
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from watching import SCENE, animation_of_the_menu, digest, end, has_bodies, view, watch, write
 
 import waft
 
-DEADLINE = 600.0  # s
-scene = waft.Scene(seed=5)
-scene.set_time(120)
-scene.add_objects("feather", positions=[(-0.6, -0.5, 2.6)])
-scene.add_position(0, 60, (0.3, 0.4, 2.1))
-scene.add_position(0, 110, (0.5, -0.2, 1.5))
-scene.save(os.environ["WAFT_GUI_SCENE"])
-log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
-view = simple.GetActiveViewOrCreate("RenderView")
+FULL, PREVIEW = 2, 0  # of Quality
+SETTLES = 0.5         # s from Stop to the tick at which the work waits
+PICTURES = 4          # that are drawn while they are counted
+SHORT = SCENE.replace("kept", "short")
+
+
+def make_scene(path, feathers, frames):
+    scene = waft.Scene(seed=5)
+    scene.set_time(frames)
+    scene.add_objects("feather", positions=[(-0.6, -0.5 + 0.5 * feather, 2.6) for feather in range(feathers)])
+    for feather in range(feathers):
+        scene.add_position(feather, frames // 2, (0.3, -0.4 + 0.4 * feather, 2.1))
+        scene.add_position(feather, frames - 10, (0.5, 0.2 - 0.4 * feather, 1.5))
+    scene.save(path)
+
+
+make_scene(SCENE, 3, 240)
+make_scene(SHORT, 1, 60)
 began = time.monotonic()
-is_busy = False
-has_saved = False
-works = set()
-played = set()  # how far the work was while a film was written
+steps = ["flies", "rests", "flies again", "counts", "ends"]
+held = resting = counting = 0.0  # since when; since when it has settled
+rest = {}
+drawing = {"pictures": 0, "began": 0.0, "seconds": 0.0}
+is_hooked = False
 
 
-def digest(animation):
-    poses = animation.GetClientSideObject().GetOutputDataObject(1)
-    arrays = [poses.GetPoints().GetData(), poses.GetPointData().GetArray("Orientation")]
-    return hashlib.sha256(b"".join(vtk_to_numpy(array).tobytes() for array in arrays)).hexdigest()
+def note(**line):
+    write({"wall": time.monotonic() - began, "processor": time.process_time(), **line})
 
 
-def write(**line):
-    log.write(json.dumps({"wall": time.monotonic() - began, "processor": time.process_time(), **line}) + "\n")
-    log.flush()
+def on_start(*_):
+    drawing["began"] = time.monotonic()
 
 
-def work_of(animation):
-    return animation.GetClientSideObject().GetWorkDone()
+def on_end(*_):
+    drawing["pictures"] += 1
+    drawing["seconds"] += time.monotonic() - drawing["began"]
 
 
 def save(animation):
     """Frames and data of all time steps, while the work is not done; the window's events come through meanwhile."""
-    global has_saved
-    has_saved = True
-    folder = os.path.dirname(os.environ["WAFT_GUI_LOG"])
+    folder = os.path.dirname(SCENE)
     for name, write_it in (
             ("film", lambda: simple.SaveAnimation(os.path.join(folder, "frame.png"), view, ImageResolution=[80, 60], FrameWindow=[0, 9])),
             ("data", lambda: simple.SaveData(os.path.join(folder, "meshes.pvd"), animation, WriteTimeSteps=1))):
-        played.clear()
+        played = set()
+        scene_of_session = simple.GetAnimationScene()
+        observer = scene_of_session.SMProxy.AddObserver("PropertyModifiedEvent", lambda *_: played.add(digest(animation)))
         before = digest(animation)
         write_it()
-        write(save=name, played=sorted(played), before=before, after=digest(animation))
+        scene_of_session.SMProxy.RemoveObserver(observer)
+        note(save=name, motions=sorted(played | {before, digest(animation)}), frames=len(played))
 
 
 def finish(animation):
-    sliced = digest(animation)
+    flown = digest(animation)
     once = simple.WaftAnimation(FileName=animation.FileName)
     simple.UpdatePipeline(proxy=once)
-    write(sliced=sliced, once=digest(once), saved=animation.Slice, slices=[made.GetClientSideObject().GetSlice() for made in (animation, once)],
-          text=animation.GetClientSideObject().GetProgressText())
-    os._exit(0)  # ParaView's own way out asks whether to save
+    note(flown=flown, once=digest(once), saved=animation.Slice, slices=[made.GetClientSideObject().GetSlice() for made in (animation, once)],
+         text=animation.GetClientSideObject().GetProgressText())
+    end()
+
+
+def follow(animation, source):
+    """From one step to the next."""
+    global held, resting, counting
+    now = time.monotonic()
+    step, is_held, done = steps[0], source.GetWorkState() == source.HELD, source.GetWorkDone()
+    if step == "flies" and is_held:
+        steps.pop(0)
+        held = now
+    elif step == "rests" and is_held and (not rest or now - held < SETTLES):
+        resting = now
+        rest.update(before=done, after=done, rested=0.0, used=0.0, then=time.process_time())
+    elif step == "rests" and is_held:
+        rest.update(after=done, rested=now - resting, used=time.process_time() - rest["then"])
+    elif step == "rests":
+        steps.pop(0)
+        note(**rest)
+    elif step == "flies again" and done > rest["after"]:
+        steps.pop(0)
+        save(animation)
+        drawing.update(pictures=0, seconds=0.0)
+        counting = time.monotonic()
+    elif step == "counts" and drawing["pictures"] >= PICTURES:
+        steps.pop(0)
+        note(counted=now - counting, **drawing, left=source.GetSecondsLeft(), message=source.GetWorkText())
+        animation.FileName = SHORT
+        animation.Quality = PREVIEW
+        simple.UpdatePipeline(proxy=animation)
 
 
 def look():
-    animation = simple.FindSource("WaftAnimation1")
+    global is_hooked
+    animation = animation_of_the_menu(Quality=FULL)
     if animation is None:
         return
-    if not animation.FileName:
-        animation.SMProxy.GetProperty("FileName").SetElement(0, os.environ["WAFT_GUI_SCENE"])  # for Apply to push
-        write(chosen=True)
+    if not is_hooked:
+        is_hooked = True
+        view.GetRenderWindow().AddObserver("StartEvent", on_start)
+        view.GetRenderWindow().AddObserver("EndEvent", on_end)
+    if not has_bodies(animation):
+        note(waits=True)  # for Apply
         return
     source = animation.GetClientSideObject()
-    shown = view.SMProxy.FindRepresentation(animation.SMProxy, 0) is not None
-    meshes = source.GetOutputDataObject(0)
-    if not shown or meshes is None or meshes.GetNumberOfPoints() == 0:
-        write(waits=True)  # for Apply, and no more once that has begun
-        return
+    meshes, poses = source.GetOutputDataObject(0), source.GetOutputDataObject(1)
     complete = source.GetComplete()
-    points = source.GetOutputDataObject(1).GetNumberOfPoints()
-    write(complete=complete, points=points, bodies=meshes.GetNumberOfPoints(), flagged=meshes.GetFieldData().HasArray("Complete"),
-          work=work_of(animation))
+    note(complete=complete, points=poses.GetNumberOfPoints(), bodies=meshes.GetNumberOfPoints(),
+         flagged=meshes.GetFieldData().HasArray("Complete"), work=source.GetWorkDone(), step=steps[0])
     if complete:
         finish(animation)
-    elif not has_saved and len(works) > 3:  # Apply, which sets the session's time, has come back
-        save(animation)
-    works.add(work_of(animation))
+    follow(animation, source)
 
 
-def note(*_):
-    global is_busy
-    if is_busy:  # in the middle of a save
-        if simple.GetAnimationScene().GetClientSideObject().IsInPlay():
-            played.add(work_of(simple.FindSource("WaftAnimation1")))
-        return
-    is_busy = True
-    try:
-        look()
-        if time.monotonic() - began > DEADLINE:
-            raise TimeoutError("the work was not done in time")
-    except Exception:
-        traceback.print_exc()
-        os._exit(1)
-    is_busy = False
-
-
-interactor = view.GetInteractor()
-interactor.AddObserver("TimerEvent", note)
-interactor.CreateRepeatingTimer(50)
+watch(look, ends=True)

@@ -72,7 +72,7 @@ TEST(SlicedRun, GoesOnWhereItWasHeld)
   EXPECT_TRUE(run.GoOn(OneTick, monitor, result));
   EXPECT_TRUE(result);
   EXPECT_EQ(count, 10);
-  EXPECT_FALSE(run.IsHeld());
+  EXPECT_FALSE(run.HasWork());
 }
 
 TEST(SlicedRun, RunsToTheEndWithoutALimit)
@@ -123,7 +123,118 @@ TEST(SlicedRun, ThrowsWhatTheWorkThrows)
   CountingMonitor monitor;
   waft::Result result = waft::Result::Ok();
   EXPECT_THROW(run.GoOn(0.0, monitor, result), std::runtime_error);
-  EXPECT_FALSE(run.IsHeld());
+  EXPECT_FALSE(run.HasWork());
+}
+
+namespace
+{
+
+using State = waft::SlicedRun::State;
+
+/// Waits until it is so; false where it never is.
+template <typename Condition>
+bool Comes(const Condition& condition)
+{
+  using namespace std::chrono_literals;
+  for (int k = 0; k < 60000 && !condition(); ++k)
+  {
+    std::this_thread::sleep_for(1ms);
+  }
+  return condition();
+}
+
+} // namespace
+
+TEST(SlicedRun, GoesOnBesideUntilItIsHeld)
+{
+  using namespace std::chrono_literals;
+  std::atomic<int> count{ 0 };
+  waft::SlicedRun run;
+  EXPECT_EQ(run.Now(), State::None);
+  run.Begin(
+    [&](waft::Monitor& monitor)
+    {
+      while (monitor.Tick(0.5, "at " + std::to_string(count)))
+      {
+        ++count;
+        std::this_thread::sleep_for(100us);
+      }
+      return waft::Result::Stopped();
+    });
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Ok();
+  ASSERT_FALSE(run.GoOn(OneTick, monitor, result));
+  EXPECT_EQ(run.Now(), State::Held);
+  EXPECT_EQ(count, 0);
+  run.LetGo();
+  EXPECT_EQ(run.Now(), State::Beside);
+  ASSERT_TRUE(Comes([&] { return count > 5; }));
+  EXPECT_EQ(monitor.Ticks, 1) << "by itself it goes on unasked";
+  run.Hold();
+  EXPECT_EQ(run.Now(), State::Held);
+  std::this_thread::sleep_for(20ms); // to its next tick
+  const int held = count;
+  const double worked = run.SoFar().Seconds;
+  EXPECT_GT(worked, 0.0);
+  std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(count, held);
+  EXPECT_EQ(run.SoFar().Seconds, worked) << "while it is held it does not work";
+  EXPECT_EQ(run.SoFar().Text, "at " + std::to_string(held));
+  run.LetGo();
+  ASSERT_TRUE(Comes([&] { return count > held + 5; }));
+  ASSERT_FALSE(run.GoOn(OneTick, monitor, result)) << "which catches it";
+  EXPECT_EQ(run.Now(), State::Held);
+  EXPECT_EQ(monitor.Ticks, 2);
+  run.LetGo();
+  run.Discard();
+  EXPECT_EQ(run.Now(), State::None);
+}
+
+TEST(SlicedRun, WritesItsLastPartInTheCallersTurn)
+{
+  using namespace std::chrono_literals;
+  std::atomic<bool> writes{ false };
+  waft::SlicedRun run;
+  run.Begin(
+    [&](waft::Monitor& monitor)
+    {
+      (void)monitor.Tick(0.0, "work");
+      run.Rejoin();
+      writes = true;
+      return waft::Result::Ok();
+    });
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Stopped();
+  ASSERT_FALSE(run.GoOn(OneTick, monitor, result));
+  run.LetGo();
+  ASSERT_TRUE(Comes([&] { return run.Now() == State::Arrived; }));
+  std::this_thread::sleep_for(10ms);
+  EXPECT_FALSE(writes);
+  run.Hold();
+  run.LetGo();
+  EXPECT_EQ(run.Now(), State::Arrived);
+  EXPECT_TRUE(run.GoOn(OneTick, monitor, result));
+  EXPECT_TRUE(writes);
+  EXPECT_TRUE(result);
+  EXPECT_FALSE(result.IsStopped());
+}
+
+TEST(SlicedRun, ThrowsWhatTheWorkThrewBeside)
+{
+  waft::SlicedRun run;
+  run.Begin(
+    [](waft::Monitor& monitor) -> waft::Result
+    {
+      (void)monitor.Tick(0.0, "work");
+      throw std::runtime_error("too large");
+    });
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Ok();
+  ASSERT_FALSE(run.GoOn(OneTick, monitor, result));
+  run.LetGo();
+  ASSERT_TRUE(Comes([&] { return run.Now() == State::Arrived; }));
+  EXPECT_THROW(run.GoOn(OneTick, monitor, result), std::runtime_error);
+  EXPECT_FALSE(run.HasWork());
 }
 
 // While the thread that ticks is held, the others that work for the same kernel wait.
@@ -277,6 +388,81 @@ TEST(Slices, ComeToTheSameBytesAndShowTheMotionSoFar)
     chain.Update(0.7);
     EXPECT_EQ(count.Value, 0);
   }
+}
+
+namespace
+{
+
+void WorkBeside(const LongChain& chain)
+{
+  for (vtkSlicedPolyDataAlgorithm* stage : chain.Sliced())
+  {
+    stage->WorkInSlices();
+  }
+}
+
+} // namespace
+
+TEST(Slices, FlyBesideToTheSameBytes)
+{
+  LongChain chain;
+  WorkBeside(chain);
+  int updates = 0;
+  for (chain.Update(0.5); chain.Rotation->GetComplete() == 0 && updates < 10000; ++updates)
+  {
+    ASSERT_EQ(SceneChain::Poly(chain.Rotation, 1)->GetNumberOfPoints(), 80);
+    ASSERT_GT(SceneChain::Poly(chain.Rotation, 0)->GetNumberOfPoints(), 0);
+    chain.Update(0.6); // another time, while the work goes on
+    chain.GoOn();
+    chain.Update(0.5);
+  }
+  EXPECT_EQ(chain.Rotation->GetComplete(), 1);
+  EXPECT_EQ(chain.Poses(), AllAtOnce());
+}
+
+// The window looks at the stages alone, and updates them when their work has come to its end.
+TEST(Slices, ArriveWithoutAnUpdate)
+{
+  using Stage = vtkSlicedPolyDataAlgorithm;
+  LongChain chain;
+  WorkBeside(chain);
+  for (vtkSlicedPolyDataAlgorithm* stage : chain.Sliced())
+  {
+    EXPECT_EQ(stage->GetWorkState(), Stage::NO_WORK) << stage->GetClassName();
+    chain.Update(0.0);
+    ASSERT_TRUE(Comes([&] { return stage->GetWorkState() != Stage::BESIDE; }));
+    if (stage->GetWorkState() == Stage::ARRIVED) // it was not done within the update
+    {
+      EXPECT_EQ(stage->GetComplete(), 0) << "until it is shown";
+    }
+    chain.GoOn();
+  }
+  chain.Update(0.0);
+  EXPECT_EQ(chain.Rotation->GetComplete(), 1);
+  EXPECT_EQ(chain.Poses(), AllAtOnce());
+}
+
+TEST(Slices, BesideAreHeldAndDiscarded)
+{
+  LongChain chain;
+  WorkBeside(chain);
+  chain.Update(0.0);
+  ASSERT_TRUE(Comes(
+    [&]
+    {
+      chain.GoOn();
+      chain.Update(0.0);
+      return chain.Assimilation->GetWorkState() == vtkSlicedPolyDataAlgorithm::BESIDE;
+    }));
+  EXPECT_FALSE(chain.Assimilation->GetWorkText().empty());
+  chain.Assimilation->Hold();
+  EXPECT_EQ(chain.Assimilation->GetWorkState(), vtkSlicedPolyDataAlgorithm::HELD);
+  chain.GoOn();
+  chain.Update(0.0);
+  ASSERT_NE(chain.Assimilation->GetWorkState(), vtkSlicedPolyDataAlgorithm::HELD);
+  chain.Planner->SetSeed(4);
+  chain.Update(0.0); // what was flown is discarded
+  EXPECT_EQ(chain.Rotation->GetComplete(), 0);
 }
 
 TEST(Slices, BeginAnewAfterAChangeAndMayEndAllAtOnce)

@@ -24,6 +24,7 @@ namespace
 
 // Of a slice: a first picture waits for the first slices of all stages of a pipeline.
 constexpr double FirstSlice = 0.25;
+constexpr double OneTick = 1e-9; // s, of work that is caught where it ticks next
 
 bool IsComplete(vtkDataObject* data)
 {
@@ -47,22 +48,6 @@ bool HasUnfinishedInput(vtkAlgorithm* stage, vtkInformationVector** inputs)
   }
   return false;
 }
-
-/// Passes the caller's ticks on and records how far they are.
-class NotingMonitor : public Monitor
-{
-public:
-  NotingMonitor(Monitor& caller, double& done) : Caller(caller), Done(done) {}
-  bool Tick(double fraction, const std::string& text) override
-  {
-    this->Done = fraction;
-    return this->Caller.Tick(fraction, text);
-  }
-
-private:
-  Monitor& Caller;
-  double& Done;
-};
 
 } // namespace
 
@@ -138,10 +123,11 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
       }
     }
   }
-  else if (std::exchange(this->IsDue, false) && this->Held.IsHeld())
+  else if (std::exchange(this->IsDue, false) && this->Held.HasWork())
   {
     this->Cache.Forget();
-    const Result result = this->Advance(inputs, this->SliceNow());
+    const double slice = this->SliceNow();
+    const Result result = this->Advance(inputs, this->IsBeside && slice > 0.0 ? OneTick : slice);
     if (!result)
     {
       return this->FailWith(result, outputs);
@@ -257,15 +243,20 @@ Result KeptStage::Advance(vtkInformationVector** inputs, double seconds)
 {
   this->Keep.clear();
   StageMonitor monitor(this->Stage);
-  NotingMonitor noting(monitor, this->Done);
   Result result = Result::Ok();
-  this->IsUnfinished = !this->Held.GoOn(seconds, noting, result);
+  this->IsUnfinished = !this->Held.GoOn(seconds, monitor, result);
   if (!this->IsUnfinished)
   {
+    this->Reached = SlicedRun::Progress();
+    this->Reached.Done = 1.0;
     return this->End(inputs, result);
   }
   monitor.Hold();
   this->Publish();
+  if (this->IsBeside)
+  {
+    this->Held.LetGo();
+  }
   this->Cache.MarkCurrent(this->Stage, inputs);
   return Result::Ok();
 }
@@ -293,7 +284,7 @@ Result KeptStage::End(vtkInformationVector** inputs, const Result& result)
 
 void KeptStage::Discard()
 {
-  if (this->Held.IsHeld())
+  if (this->Held.HasWork())
   {
     this->Held.Discard();
     this->Forget();
@@ -302,11 +293,16 @@ void KeptStage::Discard()
 
 void KeptStage::GoOn()
 {
-  if (this->Held.IsHeld())
+  if (this->Held.HasWork())
   {
     this->IsDue = true;
     this->Cache.Reawaken(this->Stage);
   }
+}
+
+SlicedRun::Progress KeptStage::SoFar() const
+{
+  return this->Held.HasWork() ? this->Held.SoFar() : this->Reached;
 }
 
 Result KeptStage::TakePass(vtkInformationVector**, bool)

@@ -5,8 +5,9 @@
 // its RequestUpdateExtent and RequestData are those of KeptStage.
 //
 // With a Slice one update does a bounded part of the work. What there is so far is published then,
-// with the field data `Complete` of 0; GoOn makes the next update do the next part. A stage whose
-// input is not complete publishes what that comes to without work.
+// with the field data `Complete` of 0; GoOn makes the next update do the next part. Work that goes
+// on beside runs between updates, too, and is held while it is published. A stage whose input is
+// not complete publishes what that comes to without work.
 #pragma once
 
 #include "Base/Motion.h"
@@ -49,20 +50,27 @@ public:
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs);
 
-  /// The next update goes on with work that is held; nothing where none is.
+  /// The next update goes on with work that has not ended; nothing where none is.
   void GoOn();
+  /// From now on work that an update leaves goes on beside.
+  void WorkBeside() { this->IsBeside = true; }
+  /// Work that goes on beside waits until an update goes on with it.
+  void Hold() { this->Held.Hold(); }
   /// Whether what is shown is the whole result.
   bool IsComplete() const { return !this->IsUnfinished; }
-  /// 0 to 1: of the work that is held.
-  double WorkDone() const { return this->Done; }
+  /// Of the work that has not ended, or of what it came to.
+  SlicedRun::State Now() const { return this->Held.Now(); }
+  SlicedRun::Progress SoFar() const;
   /// In the destructor of who derives: what is held works on its members.
   void Discard();
 
 protected:
   /// Takes the inputs (Scene and Fields are there), runs Core, fills the Kept outputs and Warnings.
   /// Stopped: what is kept is shown, and the next update runs again. Inputs are there until the
-  /// first tick of the monitor.
+  /// first tick of the monitor. What is read while the stage shows, and all of VTK, it writes after
+  /// Rejoin alone.
   virtual Result Run(vtkInformationVector** inputs, Monitor& monitor) = 0;
+  void Rejoin() { this->Held.Rejoin(); }
   /// Seconds of work in an update; 0: all.
   virtual double Slice() const { return 0.0; }
   /// Fills the Kept outputs with what the run that is held has come to.
@@ -129,9 +137,10 @@ private:
   std::string Defaults; // that the scene has, since no input says another
   StageCache Cache;
   SlicedRun Held;
-  bool IsDue = false;        // work that is held is to go on
+  bool IsBeside = false;
+  bool IsDue = false;        // work that has not ended is to go on
   bool IsUnfinished = false; // what is kept is not the whole result
-  double Done = 0.0;
+  SlicedRun::Progress Reached;
   std::chrono::steady_clock::time_point LastLook = std::chrono::steady_clock::now();
   std::vector<vtkSmartPointer<vtkDataObject>> Keep; // by output port, null where it varies
 };
