@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Chain/ChainScene.h"
 
+#include "Scene/SceneEdits.h"
+
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace waft
@@ -76,9 +79,18 @@ Box VolumeAboveGround(const Scene& scene)
 Result ReadSceneAndWind(const std::string& file, const SceneAssets& assets, Scene& scene,
                         SceneWind& wind)
 {
+  std::string text;
+  WAFT_RETURN_IF_FAILED(ReadSceneText(file, text));
+  return ParseSceneAndWind(text, file, assets, scene, wind);
+}
+
+Result ParseSceneAndWind(const std::string& text, const std::string& file,
+                         const SceneAssets& assets, Scene& scene, SceneWind& wind)
+{
   Scene read;
   SceneWind built;
-  WAFT_RETURN_IF_FAILED(ReadScene(file, assets, read));
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  WAFT_RETURN_IF_FAILED(ParseScene(text, file, folder, assets, read));
   WAFT_RETURN_IF_FAILED(built.Build(read, assets));
   const std::vector<std::string>& odd = built.Warnings();
   read.Warnings.insert(read.Warnings.end(), odd.begin(), odd.end());

@@ -26,5 +26,8 @@ Box VolumeAboveGround(const Scene& scene);
 /// SceneWind::Build do; what is odd is among the scene's Warnings.
 Result ReadSceneAndWind(const std::string& file, const SceneAssets& assets, Scene& scene,
                         SceneWind& wind);
+/// The same from the text of the file, as it is or edited.
+Result ParseSceneAndWind(const std::string& text, const std::string& file,
+                         const SceneAssets& assets, Scene& scene, SceneWind& wind);
 
 } // namespace waft

@@ -83,7 +83,4 @@ SceneJson FormatVector(const Vec3& v);
 SceneJson FormatRotation(const Quat& q);
 SceneJson FormatWind(const AnalyticWind& wind);
 
-/// JSON with two blanks an indent; lists of numbers, or of lists of three, stay on a line.
-std::string PrettyText(const SceneJson& json);
-
 } // namespace waft

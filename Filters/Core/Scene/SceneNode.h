@@ -50,6 +50,7 @@ public:
             std::size_t most = SceneField::NoList);
 
   const std::string& Pointer() const { return this->Address; }
+  const SceneJson& Json() const { return this->Value; }
   /// Throws "pointer: expected `expected`, found <this value>".
   [[noreturn]] void Fail(const std::string& expected) const;
   /// Throws "pointer: message".

@@ -3,6 +3,7 @@
 #include "Scene/WriteScene.h"
 
 #include "Scene/AuthoredParts.h"
+#include "Scene/JsonText.h"
 #include "Scene/SceneFormat.h"
 
 #include <algorithm>

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which places of a scene file can be moved by the hand.
+#include "Base/Types.h"
+#include "Scene/JsonText.h"
+#include "Scene/SceneEdits.h"
+
+namespace waft
+{
+namespace
+{
+
+class HandleList
+{
+public:
+  explicit HandleList(const SceneJson& scene) : Root(scene) {}
+
+  SceneJson Make()
+  {
+    const SceneInfo none;
+    const auto has = [this](const char* section, const char* field, const SceneJson& otherwise)
+    { return this->Root.value(section, SceneJson::object()).value(field, otherwise); };
+    SceneJson made;
+    made["min"] = has("domain", "min", ListOf(none.Bounds.Min));
+    made["max"] = has("domain", "max", ListOf(none.Bounds.Max));
+    made["frames"] = has("time", "frames", none.Time.NumberOfFrames);
+    made["framesPerSecond"] = has("time", "framesPerSecond", none.Time.FramesPerSecond);
+    this->AddObjects();
+    this->AddConstraints();
+    this->AddObstacles();
+    made["hasConstraints"] = this->Root.contains("constraints");
+    made["lastObject"] = this->LastId;
+    made["handles"] = std::move(this->Handles);
+    return made;
+  }
+
+private:
+  static SceneJson ListOf(const Vec3& v) { return SceneJson::array({ v.x(), v.y(), v.z() }); }
+
+  /// pointers: of the points that go along; the handle is in the middle of them.
+  void Add(const char* kind, int object, int frame, const std::vector<std::string>& pointers)
+  {
+    Vec3 middle = Vec3::Zero();
+    SceneJson moves = SceneJson::object();
+    for (const std::string& pointer : pointers)
+    {
+      const SceneJson& point = this->Root.at(SceneJson::json_pointer(pointer));
+      moves[pointer] = point;
+      middle += Vec3(point[0], point[1], point[2]) / static_cast<double>(pointers.size());
+    }
+    this->Handles.push_back({ { "kind", kind },
+                              { "object", object },
+                              { "frame", frame },
+                              { "place", ListOf(middle) },
+                              { "moves", std::move(moves) } });
+  }
+
+  void AddObjects()
+  {
+    int count = 0; // so far; of those that say no id it is the next one's
+    const SceneJson entries = this->Root.value("objects", SceneJson::array());
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+      const SceneJson& entry = entries[i];
+      const std::string pointer = "/objects/" + std::to_string(i);
+      if (entry.contains("count"))
+      {
+        count += entry["count"].get<int>();
+      }
+      else if (entry.contains("positions"))
+      {
+        for (std::size_t k = 0; k < entry["positions"].size(); ++k)
+        {
+          this->Add("start", count++, 0, { pointer + "/positions/" + std::to_string(k) });
+        }
+      }
+      else
+      {
+        const int id = entry.value("id", count++);
+        this->Add("start", id, 0, { pointer + "/position" });
+        this->LastId = std::max(this->LastId, id);
+      }
+      this->LastId = std::max(this->LastId, count - 1);
+    }
+  }
+
+  void AddConstraints()
+  {
+    const SceneJson entries = this->Root.value("constraints", SceneJson::array());
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+      const SceneJson& entry = entries[i];
+      const std::string pointer = "/constraints/" + std::to_string(i);
+      const std::string kind = entry["kind"].get<std::string>();
+      if (kind == "position" || kind == "rest")
+      {
+        this->Add(kind == "rest" ? "rest" : "mark", entry["object"], entry["frame"],
+                  { pointer + "/value" });
+      }
+      else if (kind == "path")
+      {
+        int frame = entry["firstFrame"];
+        for (std::size_t k = 0; k < entry["points"].size(); ++k)
+        {
+          this->Add("mark", entry["object"], frame++, { pointer + "/points/" + std::to_string(k) });
+        }
+      }
+      else if (kind == "keyframe" && entry["targets"].contains("points"))
+      {
+        for (std::size_t k = 0; k < entry["targets"]["points"].size(); ++k)
+        {
+          this->Add("target", -1, entry["frame"],
+                    { pointer + "/targets/points/" + std::to_string(k) });
+        }
+      }
+      else if (kind == "keyframe" && entry["targets"].contains("origin"))
+      {
+        this->Add("targets", -1, entry["frame"], { pointer + "/targets/origin" });
+      }
+    }
+  }
+
+  /// Of the form of each, the points that say where it is.
+  void AddObstacles()
+  {
+    const SceneJson entries = this->Root.value("obstacles", SceneJson::array());
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+      if (entries[i].contains("motion"))
+      {
+        continue;
+      }
+      std::vector<std::string> pointers;
+      for (const char* field : { "min", "max", "center", "base", "top", "position" })
+      {
+        if (entries[i].contains(field))
+        {
+          pointers.push_back("/obstacles/" + std::to_string(i) + "/" + field);
+        }
+      }
+      if (!pointers.empty())
+      {
+        this->Add("obstacle", -1, -1, pointers);
+      }
+    }
+  }
+
+  const SceneJson& Root;
+  SceneJson Handles = SceneJson::array();
+  int LastId = -1;
+};
+
+} // namespace
+
+Result DescribeHandles(const std::string& text, const std::string& name, std::string& handles)
+{
+  try
+  {
+    const SceneJson scene = ParseText(text, name);
+    handles = HandleList(scene).Make().dump();
+    return Result::Ok();
+  }
+  catch (const SceneError& error)
+  {
+    return Result::Error(error.Message);
+  }
+  catch (const std::exception& error)
+  {
+    return Result::Error(name + ": " + error.what());
+  }
+}
+
+} // namespace waft
