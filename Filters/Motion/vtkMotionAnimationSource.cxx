@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionAnimationSource.h"
 
+#include "Base/AtomicFile.h"
 #include "Base/SliceOptions.h"
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/ArrayNames.h"
@@ -19,8 +20,10 @@
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/ChainScene.h"
 #include "Chain/RunChain.h"
 #include "Planning/PlanReport.h"
+#include "Scene/SceneEdits.h"
 #include "Spacetime/Run/Spacetime.h"
 
 #include <vtkCellData.h>
@@ -83,6 +86,7 @@ struct vtkMotionAnimationSource::Internals : waft::KeptStage
   waft::Scene Read;
   waft::SceneWind Wind;
   std::string ReadError;
+  std::string Text, Edited;      // of the file, and with the edits
   waft::MotionDatabase Database; // stays in its place, where the memory's tools look for it
   bool HasDatabase = false;
   waft::Motion Made;
@@ -98,6 +102,8 @@ struct vtkMotionAnimationSource::Internals : waft::KeptStage
   ~Internals() override { this->Discard(); }
 
   bool Load();
+  /// Of the scene with the edits.
+  waft::Result Save();
   waft::ChainOptions Options() const;
   bool Wants(waft::ChainStage stage) const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
@@ -108,6 +114,7 @@ struct vtkMotionAnimationSource::Internals : waft::KeptStage
   void FillPublished(double time, vtkInformationVector* outputs) const override;
 
 private:
+  waft::Result ReadEdited();
   void KeepScene();
   void KeepPlan();
   void KeepAir();
@@ -128,12 +135,43 @@ bool vtkMotionAnimationSource::Internals::Load()
     return false;
   }
   this->Discard(); // it works on the scene that there was
-  const waft::Result result =
-    waft::ReadSceneAndWind(this->Self->FileName, waft::VtkSceneAssets(), this->Read, this->Wind);
+  const waft::Result result = this->ReadEdited();
   this->ReadError = result.Message();
   this->Scene = this->Read.Info;
   this->ReadTime.Modified();
   return true;
+}
+
+waft::Result vtkMotionAnimationSource::Internals::ReadEdited()
+{
+  const std::string& file = this->Self->FileName;
+  this->Edited.clear();
+  WAFT_RETURN_IF_FAILED(waft::ReadSceneText(file, this->Text));
+  this->Edited = this->Text;
+  WAFT_RETURN_IF_FAILED(waft::EditSceneText(this->Self->Edits, file, this->Edited));
+  return waft::ParseSceneAndWind(this->Edited, file, waft::VtkSceneAssets(), this->Read,
+                                 this->Wind);
+}
+
+waft::Result vtkMotionAnimationSource::Internals::Save()
+{
+  const std::string& file = this->Self->FileName;
+  if (this->Edited.empty() || !this->ReadError.empty() || this->ReadTime < this->Named)
+  {
+    return waft::Result::Error(file + ": expected a scene that could be read, found none: not "
+                                      "saved");
+  }
+  std::string now;
+  WAFT_RETURN_IF_FAILED(waft::ReadSceneText(file, now));
+  if (now != this->Text)
+  {
+    return waft::Result::Error(file + ": expected the file as it was read, found another one: it "
+                                      "was changed since, and is not written over. Reload it "
+                                      "first; the edits are kept");
+  }
+  WAFT_RETURN_IF_FAILED(waft::WriteWholeFile(file, this->Edited));
+  this->Text = this->Edited;
+  return waft::Result::Ok();
 }
 
 waft::ChainOptions vtkMotionAnimationSource::Internals::Options() const
@@ -421,6 +459,34 @@ void vtkMotionAnimationSource::Reload()
 {
   this->Impl->Named.Modified();
   this->Modified();
+}
+
+void vtkMotionAnimationSource::SetEdits(const std::string& edits)
+{
+  if (edits != this->Edits)
+  {
+    this->Edits = edits;
+    this->Reload();
+  }
+}
+
+std::string vtkMotionAnimationSource::GetHandles() const
+{
+  std::string handles;
+  const std::string& text = this->Impl->Edited;
+  return !text.empty() && waft::DescribeHandles(text, this->FileName, handles) ? handles
+                                                                               : std::string();
+}
+
+void vtkMotionAnimationSource::SaveScene()
+{
+  const waft::Result result = this->Impl->Save();
+  if (!result)
+  {
+    vtkErrorMacro(<< result.Message());
+    return;
+  }
+  this->Edits.clear(); // the scene is the one that it was
 }
 
 int vtkMotionAnimationSource::GetSceneSeed() const

@@ -70,6 +70,22 @@ public:
   ///@}
   /** The next update reads the file anew. */
   void Reload();
+  ///@{
+  /**
+   * Changes of the scene that the file does not have: a JSON Patch, as waft::EditSceneText takes
+   * it. Whom they touch flies anew in the air that there is, the others keep their bits.
+   */
+  void SetEdits(const std::string& edits);
+  vtkGetMacro(Edits, std::string);
+  ///@}
+  /** What of the scene can be moved by the hand: waft::DescribeHandles; empty before a scene was
+   * read. */
+  std::string GetHandles() const;
+  /**
+   * Writes the edits to the scene file, all else in which stays as it was written; Edits is empty
+   * then. A file that is not the one that was read any more is left as it is: an error says so.
+   */
+  void SaveScene();
   WaftOpenProperty(int, Quality);
   WaftProperty(int, Seed);
   WaftOpenProperty(int, StopAfter);
@@ -107,6 +123,7 @@ private:
   friend struct waft::FlightOptions;
   friend struct waft::TakeOptions;
   std::string FileName;
+  std::string Edits;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

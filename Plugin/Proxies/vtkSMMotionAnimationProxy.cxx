@@ -140,11 +140,30 @@ vtkSMMotionAnimationProxy::~vtkSMMotionAnimationProxy() = default;
 void vtkSMMotionAnimationProxy::UpdateVTKObjects()
 {
   const bool isAsked = this->GetLocation() != 0 && this->TakeRequest();
+  this->KeepEditsOfFile();
   this->Superclass::UpdateVTKObjects();
   if (isAsked)
   {
     this->Unfold();
   }
+}
+
+void vtkSMMotionAnimationProxy::KeepEditsOfFile()
+{
+  const auto textOf = [this](const char* property)
+  {
+    const char* text = vtkSMPropertyHelper(this, property, /*quiet=*/true).GetAsString();
+    return std::string(text != nullptr ? text : "");
+  };
+  const std::string file = textOf("FileName");
+  std::string edits = textOf("Edits");
+  if (!this->FileBefore.empty() && file != this->FileBefore && edits == this->EditsBefore)
+  {
+    edits.clear();
+    vtkSMPropertyHelper(this, "Edits").Set("");
+  }
+  this->FileBefore = file;
+  this->EditsBefore = edits;
 }
 
 // ParaView loads a state's files into a proxy that nobody sees, too.

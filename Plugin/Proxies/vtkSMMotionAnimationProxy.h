@@ -14,6 +14,8 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkWaftProxiesModule.h"
 
+#include <string>
+
 class VTKWAFTPROXIES_EXPORT vtkSMMotionAnimationProxy : public vtkSMSourceProxy
 {
 public:
@@ -41,7 +43,10 @@ private:
   /// Whether a property that asks for it is set, which it is then no more.
   bool TakeRequest();
   void Unfold();
+  /// Edits are those of one file: another one has none, unless they come along.
+  void KeepEditsOfFile();
 
+  std::string FileBefore, EditsBefore;
   bool IsOfBefore = false; // it was loaded from a state of an earlier version
 };
 
