@@ -30,11 +30,11 @@ set(WAFT_SLICES [=[
       <Property name="Hold" command="Hold" panel_visibility="never">
         <Documentation>Work that goes on beside waits until an update goes on with it.</Documentation>
       </Property>
-      <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="advanced">
+      <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="never">
         <SimpleIntInformationHelper/>
         <Documentation>1: nothing is left to do, the last update gave the whole result or failed; 0: it gave the motion so far.</Documentation>
       </IntVectorProperty>
-      <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1" panel_visibility="advanced">
+      <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1" panel_visibility="never">
         <SimpleDoubleInformationHelper/>
         <Documentation>Of the work that has not ended: 0 to 1.</Documentation>
       </DoubleVectorProperty>
@@ -42,11 +42,11 @@ set(WAFT_SLICES [=[
         <SimpleIntInformationHelper/>
         <Documentation>0: there is no work; 1: it is held; 2: it goes on beside; 3: it has come to its end, which the next update after GoOn shows.</Documentation>
       </IntVectorProperty>
-      <DoubleVectorProperty name="SecondsLeft" command="GetSecondsLeft" information_only="1" panel_visibility="advanced">
+      <DoubleVectorProperty name="SecondsLeft" command="GetSecondsLeft" information_only="1" panel_visibility="never">
         <SimpleDoubleInformationHelper/>
         <Documentation>Seconds that the work takes from here on, by those that it took; below 0 while that is not known.</Documentation>
       </DoubleVectorProperty>
-      <StringVectorProperty name="Message" command="GetWorkText" information_only="1" panel_visibility="advanced">
+      <StringVectorProperty name="Message" command="GetWorkText" information_only="1" panel_visibility="never">
         <SimpleStringInformationHelper/>
         <Documentation>What the stage does; done in the end, or why it failed.</Documentation>
       </StringVectorProperty>]=])

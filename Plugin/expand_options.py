@@ -5,8 +5,8 @@
 
 Default, range, type and sentence are what Core says of the option (WaftDescribeOptions); an attribute or a child that stands in the
 <Option> comes in place of what would be made, and others are handed on: what a panel is besides (visibility, widget, hints) is stated
-by hand. A panel hides an option for as long as an input takes its effect away. The class of the proxy says whose options they
-are."""
+by hand. A panel hides an option for as long as an input takes its effect away, and what is advanced and in no group comes in a last
+group. The class of the proxy says whose options they are."""
 import json
 import pathlib
 import re
@@ -74,6 +74,21 @@ def property_of(option, stated):
     return made
 
 
+def group_advanced(proxy):
+    """What is advanced and in no group of a panel comes in the last one, Advanced, which a proxy may have begun."""
+    groups = proxy.findall("PropertyGroup")
+    grouped = {member.get("name") for group in groups for member in group.findall("Property")}
+    rest = [child.get("name") for child in proxy
+            if child.get("panel_visibility") == "advanced" and child.get("information_only") != "1" and child.get("name") not in grouped]
+    if not rest:
+        return
+    last = next((group for group in groups if group.get("label") == "Advanced"), None)
+    if last is None:
+        last = ElementTree.SubElement(proxy, "PropertyGroup", {"label": "Advanced"})
+    for name in rest:
+        ElementTree.SubElement(last, "Property", {"name": name})
+
+
 def expand(root, classes):
     """Replaces all <Option> in a tree; raises KeyError where Core has no such option."""
     for proxy in root.iter():
@@ -84,6 +99,8 @@ def expand(root, classes):
                     raise KeyError(f"{proxy.get('class')}: Core states no option {child.get('name')}")
                 proxy[index] = property_of(options[child.get("name")], child)
                 proxy[index].tail = child.tail
+        if proxy.find("OutputPort") is not None:
+            group_advanced(proxy)
     return root
 
 

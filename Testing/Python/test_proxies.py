@@ -133,6 +133,32 @@ class ProxyTest(unittest.TestCase):
         self.assertGreater(groups, 15)
         self.assertGreater(decorators, 15)
 
+    def test_panels_have_groups_by_what_people_turn(self):
+        """A file comes first, and what is advanced is in a group."""
+        for path, proxy in described_proxies():
+            groups = [group for group in proxy.iter("PropertyGroup") if group.get("panel_widget") is None]
+            names = [group.get("label") for group in groups]
+            self.assertEqual(len(names), len(set(names)), path)
+            for name in names:
+                self.assertIn(name.partition(":")[0], ("Look", "Motion", "Limits", "Advanced"), path)
+            grouped = {member.get("name") for group in proxy.iter("PropertyGroup") for member in group.iter("Property")}
+            shown = [held for held in proxy if held.tag in VALUES and held.get("panel_visibility") != "never"
+                     and held.get("information_only") != "1"]
+            files = [held.get("name") for held in shown if held.get("name") == "FileName"]
+            if files:
+                self.assertEqual(shown[0].get("name"), "FileName", path)
+            for held in shown:
+                if held.get("panel_visibility") == "advanced":
+                    self.assertIn(held.get("name"), grouped, path)
+        scene = [held for path, proxy in described_proxies() if path == "WaftAnimation.xml" for held in proxy]
+        self.assertEqual([held.findtext("Documentation") for held in scene if held.get("name") == "FileName"], ["Scene file"])
+
+    def test_panels_show_nothing_that_is_told_by_the_tool_bar(self):
+        for path, proxy in described_proxies():
+            for held in proxy:
+                if held.get("name") in ("Complete", "WorkDone", "Message", "Edits", "EditsInUse", "Handles"):
+                    self.assertEqual(held.get("panel_visibility"), "never", path)
+
     def test_an_optional_input_can_be_taken_away(self):
         some = simple.Sphere()
         seen = 0
