@@ -5,11 +5,13 @@
     python3 test_install.py BUILD SOURCE WORK"""
 
 import glob
+import math
 import os
 import re
 import shutil
 import subprocess
 import sys
+import textwrap
 import unittest
 import zipfile
 
@@ -178,6 +180,18 @@ class InstallTest(unittest.TestCase):
         self.check_run(["cmake", "--build", build])
         status, text = run([os.path.join(build, "uses-waft")])
         self.assertEqual(status, 0, text)
+        text = self.check_run([os.path.join(build, "fly-scene"), os.path.join(HERE, "Core", "feather-box.waft.json"), "75"])
+        places = [[float(number) for number in line.split()] for line in text.splitlines()]
+        for place, mark in zip(places, ((0.7, 0.1, 1.1), (0.6, 0.2, 1.3)), strict=True):
+            self.assertLess(math.dist(place, mark), 0.021, "the scene's mark, and as it was moved")
+
+    def test_the_page_shows_these_programs(self):
+        with open(os.path.join(SOURCE, "Documentation", "UseFromCpp.md"), encoding="utf-8") as file:
+            page = file.read()
+        for name in ("CMakeLists.txt", "fly_scene.cxx"):
+            with open(os.path.join(HERE, "Downstream", name), encoding="utf-8") as file:
+                text = re.sub(r"\A(?:(?://|#) .*\n)+", "", file.read())
+            self.assertIn(textwrap.indent(text, "    ", lambda line: line.strip()), page, name)
 
 
 if __name__ == "__main__":
