@@ -14,13 +14,20 @@ PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scroll
 VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/"
         "Container/Frame.0/CentralWidgetFrame/Viewport")
 
+FLIGHT = os.environ.get("WAFT_GUI_FLIGHT", "15000")  # ms in which a small scene has flown; more on a machine that is laden
+
 
 class Screen:
-    """An X server of its own; it names its display once clients may come."""
+    """An X server of its own; it names its display once clients may come, and keeps what it shows in a file of the folder
+    (screen.py reads it)."""
+
+    def __init__(self, folder):
+        self.folder = folder
 
     def __enter__(self):
         read, write = os.pipe()
-        self.server = subprocess.Popen([XVFB, "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-noreset"],
+        self.server = subprocess.Popen([XVFB, "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-noreset",
+                                        "-fbdir", str(self.folder)],
                                        pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as stream:
@@ -36,10 +43,11 @@ class Screen:
 
 def run_paraview(folder, arguments):
     """ParaView's exit status and what it printed."""
-    with Screen() as display:
+    with Screen(folder) as display:
         environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
                        "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": f"{MODULES}{os.pathsep}{HERE}", "WAFT_GUI_LOG": str(folder / "log"),
-                       "WAFT_GUI_SCENE": str(folder / "kept.waft.json"), "WAFT_GUI_SAMPLES": str(HERE.parent / "Python")}
+                       "WAFT_GUI_SCENE": str(folder / "kept.waft.json"), "WAFT_GUI_SAMPLES": str(HERE.parent / "Python"),
+                       "WAFT_GUI_SCREEN": str(folder / "Xvfb_screen0")}
         done = subprocess.run([PARAVIEW, "--dr", *arguments], env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
     return done.returncode, done.stdout
@@ -50,7 +58,9 @@ def play(events, folder, watch="watch_widgets.py", ends=True):
     the events, else the script ends it."""
     script = folder / "events.xml"
     text = (HERE / events).read_text(encoding="utf-8")
-    script.write_text(text.replace("@PANEL@", PANEL).replace("@VIEW@", VIEW).replace("@FOLDER@", str(folder)), encoding="utf-8")
+    for name, value in (("@PANEL@", PANEL), ("@VIEW@", VIEW), ("@FOLDER@", str(folder)), ("@FLIGHT@", FLIGHT)):
+        text = text.replace(name, value)
+    script.write_text(text, encoding="utf-8")
     status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
                                             f"--test-script={script}", *(["--exit"] if ends else [])])
     return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]

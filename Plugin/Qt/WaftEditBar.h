@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QToolBar>
+
+class QAction;
+class QSpinBox;
+class WaftEditor;
+
+/// Turns the handles of a scene on, sets and removes marks, and saves the scene.
+class WaftEditBar : public QToolBar
+{
+  Q_OBJECT
+
+public:
+  explicit WaftEditBar(QWidget* parent = nullptr);
+  ~WaftEditBar() override;
+
+private:
+  QAction* Add(const char* name, const QString& text, const QString& tip);
+  void MoveDown();
+  void Show();
+  void Save();
+
+  WaftEditor* Editor;
+  QAction* Edit;
+  QAction* Mark;
+  QAction* Remove;
+  QAction* SaveScene;
+  QSpinBox* Body;
+};

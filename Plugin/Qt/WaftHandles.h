@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What of a scene can be moved by the hand, as the client has it.
+#pragma once
+
+#include <vtkVector.h>
+
+#include <QJsonArray>
+#include <QMap>
+#include <QString>
+
+#include <vector>
+
+class vtkSMProxy;
+
+namespace waft
+{
+
+/// A place of a scene, and the points of its file that go along (by JSON pointers).
+struct Handle
+{
+  QString Kind; // start, mark, rest, target, targets, obstacle
+  int Object = -1;
+  int Frame = -1;
+  vtkVector3d Place;
+  QMap<QString, vtkVector3d> Moves;
+
+  /// "mark of body 3 at frame 95"
+  QString Text() const;
+};
+
+/// Those of a Waft Animation.
+struct SceneHandles
+{
+  std::vector<Handle> All;
+  vtkVector3d Min, Max; // the volume
+  double FramesPerSecond = 30.0;
+  int Frames = 0;
+  int LastObject = -1;
+  bool HasConstraints = false;
+
+  vtkVector3d WithinVolume(const vtkVector3d& place) const;
+  /// Where a body is about at a frame, by its start and marks; the middle of the volume where
+  /// nothing says so.
+  vtkVector3d About(int object, int frame) const;
+  /// The index of a body's mark at a frame; -1: it has none.
+  int MarkOf(int object, int frame) const;
+};
+
+/// Whether it is a source that a scene can be edited in.
+bool HasHandles(vtkSMProxy* source);
+/// Of the scene with the edits so far.
+SceneHandles HandlesOf(vtkSMProxy* source);
+
+/// Operations of a JSON Patch: a handle is moved to a place, a body gets a mark, a row goes.
+QJsonArray MoveTo(const Handle& handle, const vtkVector3d& place);
+QJsonArray NewMark(const SceneHandles& scene, int object, int frame, const vtkVector3d& place);
+QJsonArray WithoutMark(const Handle& handle);
+
+/// Adds operations to the edits of a source, as one step that can be undone; the source is to be
+/// updated then.
+void AddEdits(vtkSMProxy* source, const QString& step, const QJsonArray& operations);
+bool HasEdits(vtkSMProxy* source);
+/// Writes them to the scene file. False where the source could not, which it has said.
+bool SaveEdits(vtkSMProxy* source);
+
+} // namespace waft

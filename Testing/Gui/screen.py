@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs inside ParaView: what its virtual screen shows, window and all, as the X server keeps it in the file that WAFT_GUI_SCREEN
+names (an X window dump)."""
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+HEADER_SIZE, WIDTH, HEIGHT, BYTES_PER_LINE, NUMBER_OF_COLORS = 0, 4, 5, 12, 19  # words of the dump's header
+BYTES_PER_COLOR = 12
+
+
+def pixels():
+    """Rows from the top, columns, red, green and blue."""
+    dump = np.fromfile(os.environ["WAFT_GUI_SCREEN"], dtype=np.uint8)
+    words = np.frombuffer(dump[:100].tobytes(), dtype=">u4").astype(int)
+    begin = words[HEADER_SIZE] + BYTES_PER_COLOR * words[NUMBER_OF_COLORS]
+    rows = dump[begin:begin + words[HEIGHT] * words[BYTES_PER_LINE]].reshape(words[HEIGHT], -1, 4)
+    return rows[:, :words[WIDTH], 2::-1]
+
+
+def save(path, left=0, top=0, right=None, bottom=None):
+    """A part of the screen as a PNG file."""
+    part = pixels()[top:bottom, left:right]
+    image = vtkImageData()
+    image.SetDimensions(part.shape[1], part.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(part[::-1]).reshape(-1, 3), deep=True))
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()

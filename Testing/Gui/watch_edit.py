@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; once it has
+flown, puts the camera before the mark of body 1, so that it is in the middle of the picture; notes, whenever the work is done, the
+edits and the bytes of each body's poses; ends ParaView when the scene was saved."""
+import hashlib
+import json
+import os
+import pathlib
+import time
+import traceback
+
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import waft  # noqa: F401 (the classes of its sources)
+
+DEADLINE = 600.0  # s
+FRAMES = 90
+SCENE = """{
+  "waft": 1, "_why": "three leaves,   each to its mark",
+  "seed": 5,
+  "time": {"frames": 90, "framesPerSecond": 30},
+  "shapes": {"m": {"builtin": "maple", "size": 2e-1}},
+  "objects": [{"shape": "m", "positions": [[-0.60, -0.5, 2.6], [0.4, 0.3, 2.8], [0.8, -0.6, 2.7]]}],
+  "obstacles": [{"kind": "box", "min": [1.2, 1.2, 0], "max": [1.5, 1.5, 1]}],
+  "constraints": [
+    {"kind": "position", "object": 0, "frame": 70, "value": [-0.5, -0.3, 1.8]},
+    {"kind": "position", "object": 1, "frame": 70, "value": [0.1, 0.1, 1.90], "_note": "soft"},
+    {"kind": "position", "object": 2, "frame": 70, "value": [0.6, -0.2, 1.7]}
+  ]
+}
+"""
+scene = pathlib.Path(os.environ["WAFT_GUI_SCENE"])
+scene.write_text(SCENE, encoding="utf-8")
+log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
+view = simple.GetActiveViewOrCreate("RenderView")
+began = time.monotonic()
+seen = None
+is_framed = False
+
+
+def write(**line):
+    log.write(json.dumps(line) + "\n")
+    log.flush()
+
+
+def look(animation):
+    global seen, is_framed
+    source = animation.GetClientSideObject()
+    poses = source.GetOutputDataObject(1)
+    if not source.GetComplete() or poses is None or poses.GetNumberOfPoints() != 3 * FRAMES:
+        return
+    places = vtk_to_numpy(poses.GetPoints().GetData()).reshape(-1, FRAMES, 3)
+    turns = vtk_to_numpy(poses.GetPointData().GetArray("Orientation")).reshape(-1, FRAMES, 4)
+    bytes_of = [hashlib.sha256(place.tobytes() + turn.tobytes()).hexdigest() for place, turn in zip(places, turns)]
+    edits = animation.SMProxy.GetProperty("Edits").GetElement(0)
+    if (edits, bytes_of) != seen:
+        seen = (edits, bytes_of)
+        write(edits=json.loads(edits or "[]"), bodies=bytes_of, at=places[1, 70].tolist(), processor=time.process_time())
+    if not is_framed:
+        is_framed = True
+        view.CameraFocalPoint = [0.1, 0.1, 1.9]
+        view.CameraPosition = [0.1, -4.9, 1.9]
+        view.CameraViewUp = [0, 0, 1]
+        simple.Render(view)
+
+
+def note(*_):
+    try:
+        animation = simple.FindSource("WaftAnimation1")
+        if animation is None:
+            return
+        if not animation.FileName:
+            animation.SMProxy.GetProperty("FileName").SetElement(0, str(scene))  # for Apply to push
+            return
+        look(animation)
+        if scene.read_text(encoding="utf-8") != SCENE and not animation.SMProxy.GetProperty("Edits").GetElement(0):
+            write(saved=scene.read_text(encoding="utf-8"), was=SCENE)
+            os._exit(0)  # ParaView's own way out asks whether to save
+        if time.monotonic() - began > DEADLINE:
+            raise TimeoutError("the scene was not saved in time")
+    except Exception:
+        traceback.print_exc()
+        os._exit(1)
+
+
+interactor = view.GetInteractor()
+interactor.AddObserver("TimerEvent", note)
+interactor.CreateRepeatingTimer(50)
