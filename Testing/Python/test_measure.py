@@ -347,6 +347,9 @@ class FolderTest(unittest.TestCase):
         self.assertEqual(measured["landing_times"].value, 0.0)
         self.assertEqual(measured["exact"].value, 0.0)
         self.assertFalse(measured["landing"].met)
+        # A body that touches before its centre lies is measured until it lies.
+        folder = write_folder(os.path.join(WORK, "touching"), path, slip=0.4, rest=55)
+        self.assertAlmostEqual(measure(folder)[0]["landing"].value, 1.25, places=6)
 
     def test_few_objects_are_measured_over_time_and_pooled(self):
         folders = [write_folder(os.path.join(WORK, f"seed{seed}"), waves(2, 0.5, seed=seed)) for seed in range(3)]

@@ -371,14 +371,21 @@ def _witnesses(runs, air, others):
                        (0.0, 0.5), why="the Air has no array Wind")]
 
 
+def _lies(path, touch):
+    """The frame from which the centre of a body lies, which touches with an edge or a tip before."""
+    still = np.flatnonzero((path[touch + 1:] == path[touch:-1]).all(axis=1))
+    return touch + int(still[0]) if len(still) else touch
+
+
 def _landing(runs, fewest):
     falls, times = [], []
     for run in runs:
         flights = run.flights
         half = int(round(0.5 * flights.rate))
         for index, touch in run.touches:
-            if touch >= half and flights.flying[index, touch - half:touch + 1].all() and flights.slip[index] > 0.0:
-                drop = flights.positions[index, touch - half, 2] - flights.positions[index, touch, 2]
+            lies = _lies(flights.positions[index], touch)
+            if lies >= half and flights.flying[index, lies - half:touch + 1].all() and flights.slip[index] > 0.0:
+                drop = flights.positions[index, lies - half, 2] - flights.positions[index, lies, 2]
                 falls.append(drop * flights.rate / half / flights.slip[index])
                 times.append(touch / flights.rate)
     return [Row("landing", "landing: mean speed down over the last 0.5 s, over settling", float(np.mean(falls)) if falls else UNKNOWN,
