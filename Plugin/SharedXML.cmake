@@ -28,7 +28,7 @@ set(WAFT_SLICES [=[
         <Documentation>The next update goes on with the work that has not ended, and shows the motion so far; nothing where none is.</Documentation>
       </Property>
       <Property name="Hold" command="Hold" panel_visibility="never">
-        <Documentation>Work that goes on beside waits until an update goes on with it.</Documentation>
+        <Documentation>Work that goes on beside waits, from its next tick on, until an update after GoOn.</Documentation>
       </Property>
       <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="never">
         <SimpleIntInformationHelper/>

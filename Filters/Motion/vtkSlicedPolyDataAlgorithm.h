@@ -42,7 +42,8 @@ public:
   /** The next update goes on with the work that has not ended, and where it goes on beside shows
    * what it has come to; nothing where none is. */
   void GoOn();
-  /** Work that goes on beside waits until an update goes on with it. */
+  /** Work that goes on beside waits, from its next tick on, until an update after GoOn, which then
+   * shows it without waiting and lets it go. */
   void Hold();
   /** 1 when nothing is left to do: what the last update gave is the whole result, or it failed. 0
    * when it is not: the stage's own work has not ended, or an input is not complete. */
@@ -51,7 +52,7 @@ public:
   {
     NO_WORK,
     HELD,
-    BESIDE, // it goes on by itself
+    BESIDE, // it goes on by itself, after Hold to its next tick
     ARRIVED // it went on by itself to its end, which the next update after GoOn shows
   };
   ///@{

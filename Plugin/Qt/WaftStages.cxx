@@ -90,9 +90,12 @@ WorkOfStages WorkOf(const Stages& stages)
 
 void HoldWork(const Stages& stages)
 {
-  for (pqPipelineSource* source : stages)
+  for (const QPointer<pqPipelineSource>& source : stages)
   {
-    source->getProxy()->InvokeCommand("Hold");
+    if (source)
+    {
+      source->getProxy()->InvokeCommand("Hold");
+    }
   }
 }
 

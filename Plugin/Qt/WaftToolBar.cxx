@@ -29,6 +29,7 @@ namespace
 {
 
 constexpr int BetweenLooks = 100;       // ms
+constexpr int WhileItWaits = 10;        // ms
 constexpr qint64 BetweenPictures = 500; // ms
 constexpr qint64 WorkPerPicture = 9;    // of the time that a picture takes, at least
 constexpr int BarSteps = 1000;
@@ -152,42 +153,53 @@ void WaftToolBar::onTimer()
   this->IsInside = false;
   if (this->Now == State::Working)
   {
-    this->Timer.start();
+    this->Timer.start(this->Asked != Wish::Nothing ? WhileItWaits : BetweenLooks);
   }
 }
 
 // The stages know whether they go on: one that was changed while others were stopped begins anew.
+// Before a picture the work is asked to wait, and not waited for: a tick may be long in coming
+// where the machine is busy.
 void WaftToolBar::Look()
 {
   const waft::Stages unfinished = waft::UnfinishedStages();
   const waft::WorkOfStages work = waft::WorkOf(unfinished);
-  if (work.IsBeside || work.HasArrived)
+  const bool isIdle = !work.IsBeside && !work.HasArrived;
+  if (isIdle && !(work.IsHeld && this->Asked == Wish::Picture))
   {
-    this->Show(State::Working, work);
-    if (!this->Hold->IsOn() && this->IsPictureDue(work.HasArrived))
-    {
-      this->TakePicture();
-    }
+    this->Asked = Wish::Nothing;
+    this->Show(work.IsHeld ? State::Stopped : State::Resting, work);
+    return;
   }
-  else if (work.IsHeld)
+  this->Show(State::Working, work);
+  if (this->Hold->IsOn() && this->Asked != Wish::Stop)
   {
-    this->Show(State::Stopped, work);
+    return;
   }
-  else
+  if (isIdle || work.HasArrived)
   {
-    this->Show(State::Resting, work);
+    this->TakePicture();
+  }
+  else if (this->Asked == Wish::Nothing && this->IsPictureDue())
+  {
+    this->Asked = Wish::Picture;
+  }
+  if (this->Asked != Wish::Nothing) // a change may have begun other work since
+  {
+    waft::HoldWork(unfinished);
   }
 }
 
 // Where pictures take long they are not to take the most of the time.
-bool WaftToolBar::IsPictureDue(bool hasArrived) const
+bool WaftToolBar::IsPictureDue() const
 {
-  return hasArrived || this->SincePicture.elapsed() >=
-                         std::max(BetweenPictures, WorkPerPicture * this->PictureTook);
+  return this->SincePicture.elapsed() >=
+         std::max(BetweenPictures, WorkPerPicture * this->PictureTook);
 }
 
 void WaftToolBar::TakePicture()
 {
+  this->Asked = this->Asked == Wish::Stop ? Wish::Stop : Wish::Nothing;
   QElapsedTimer clock;
   clock.start();
   waft::UpdateStages(waft::UnfinishedStages(), SessionTime());
@@ -208,6 +220,7 @@ void WaftToolBar::Draw()
 
 void WaftToolBar::onStop()
 {
+  this->Asked = Wish::Stop;
   waft::HoldWork(waft::UnfinishedStages());
   this->Timer.start();
 }

@@ -42,12 +42,18 @@ private:
     Working,
     Stopped
   };
+  enum class Wish // for which the work is to wait
+  {
+    Nothing,
+    Picture,
+    Stop
+  };
 
   QToolButton* AddButton(const char* name, const QString& text, const QString& tip);
   void MoveDown();
   void Look();
-  /// Of work that goes on: whether it may be shown again.
-  bool IsPictureDue(bool hasArrived) const;
+  /// Whether work that goes on may be shown again.
+  bool IsPictureDue() const;
   /// Shows what the work has come to.
   void TakePicture();
   void Show(State state, const waft::WorkOfStages& work);
@@ -64,5 +70,6 @@ private:
   QToolButton* GoOn;
   QProgressBar* Bar;
   State Now = State::Resting;
+  Wish Asked = Wish::Nothing;
   bool IsInside = false; // of Look: an update lets the window's events through
 };

@@ -11,7 +11,7 @@ from watching import SCENE, animation_of_the_menu, digest, end, has_bodies, view
 import waft
 
 FULL, PREVIEW = 2, 0  # of Quality
-SETTLES = 0.5         # s from Stop to the tick at which the work waits
+SETTLES = 0.5         # s that the work waits where it was stopped
 PICTURES = 4          # that are drawn while they are counted
 SHORT = SCENE.replace("kept", "short")
 
@@ -30,7 +30,8 @@ make_scene(SCENE, 3, 240)
 make_scene(SHORT, 1, 60)
 began = time.monotonic()
 steps = ["flies", "rests", "flies again", "counts", "ends"]
-held = resting = counting = 0.0  # since when; since when it has settled
+held = None  # (since when, how far the work was)
+resting = counting = 0.0
 rest = {}
 drawing = {"pictures": 0, "began": 0.0, "seconds": 0.0}
 is_hooked = False
@@ -78,12 +79,12 @@ def follow(animation, source):
     global held, resting, counting
     now = time.monotonic()
     step, is_held, done = steps[0], source.GetWorkState() == source.HELD, source.GetWorkDone()
-    if step == "flies" and is_held:
-        steps.pop(0)
-        held = now
-    elif step == "rests" and is_held and (not rest or now - held < SETTLES):
-        resting = now
-        rest.update(before=done, after=done, rested=0.0, used=0.0, then=time.process_time())
+    if step == "flies":
+        held = held if is_held and held and held[1] == done else (now, done) if is_held else None
+        if held and now - held[0] > SETTLES:  # for a picture it waits a hundredth of a second
+            steps.pop(0)
+            resting = now
+            rest.update(before=done, after=done, rested=0.0, used=0.0, then=time.process_time())
     elif step == "rests" and is_held:
         rest.update(after=done, rested=now - resting, used=time.process_time() - rest["then"])
     elif step == "rests":

@@ -171,8 +171,7 @@ TEST(SlicedRun, GoesOnBesideUntilItIsHeld)
   ASSERT_TRUE(Comes([&] { return count > 5; }));
   EXPECT_EQ(monitor.Ticks, 1) << "by itself it goes on unasked";
   run.Hold();
-  EXPECT_EQ(run.Now(), State::Held);
-  std::this_thread::sleep_for(20ms); // to its next tick
+  ASSERT_TRUE(Comes([&] { return run.Now() == State::Held; })) << "at its next tick";
   const int held = count;
   const double worked = run.SoFar().Seconds;
   EXPECT_GT(worked, 0.0);
@@ -456,7 +455,8 @@ TEST(Slices, BesideAreHeldAndDiscarded)
     }));
   EXPECT_FALSE(chain.Assimilation->GetWorkText().empty());
   chain.Assimilation->Hold();
-  EXPECT_EQ(chain.Assimilation->GetWorkState(), vtkSlicedPolyDataAlgorithm::HELD);
+  ASSERT_TRUE(
+    Comes([&] { return chain.Assimilation->GetWorkState() == vtkSlicedPolyDataAlgorithm::HELD; }));
   chain.GoOn();
   chain.Update(0.0);
   ASSERT_NE(chain.Assimilation->GetWorkState(), vtkSlicedPolyDataAlgorithm::HELD);

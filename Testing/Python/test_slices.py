@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Work in slices from a script, here and on a pvserver: the motion so far after each, and in the end the same bytes.
+"""Work in slices from a script, here and on a pvserver: the motion so far after each, and in the end the same bytes; and work that
+goes on beside.
 
     pvpython test_slices.py PVSERVER"""
 import contextlib
@@ -21,6 +22,7 @@ import waft
 PVSERVER = sys.argv.pop(1)
 SLICE = 0.1   # s
 FRAMES = 40
+BESIDE, ARRIVED = 2, 3  # of WorkState
 
 
 def make_scene(folder):
@@ -90,8 +92,44 @@ class SliceTest(unittest.TestCase):
         self.assertEqual(poses(animation), self.whole)
         simple.Delete(animation)
 
+    def asked(self, animation, name):
+        """What the stage says, wherever it is, without an update."""
+        told = animation.SMProxy.GetProperty(name)
+        animation.SMProxy.UpdatePropertyInformation(told)
+        return told.GetElement(0)
+
+    def check_beside(self):
+        """As the window does it: the work goes on by itself, and is asked for when it has come to its end."""
+        animation = simple.WaftAnimation(FileName=self.scene)
+        animation.SMProxy.InvokeCommand("WorkInSlices")
+        animation.UpdatePipeline()
+        self.assertTrue(is_flagged(animation))
+        first = self.asked(animation, "WorkDone")
+        deadline = time.monotonic() + 600.0
+        while self.asked(animation, "WorkState") == BESIDE and time.monotonic() < deadline:
+            self.assertEqual(self.asked(animation, "Complete"), 0)
+            time.sleep(0.05)
+        self.assertEqual(self.asked(animation, "WorkState"), ARRIVED)
+        self.assertGreater(self.asked(animation, "WorkDone"), first)
+        self.assertTrue(waft.go_on(animation))
+        self.assertFalse(is_flagged(animation))
+        self.assertEqual(self.asked(animation, "WorkState"), 0)
+        self.assertEqual(self.asked(animation, "Message"), "done")
+        self.assertEqual(poses(animation), self.whole)
+        simple.Delete(animation)
+
+    def check_deleted(self):
+        """What is in the air goes with its source."""
+        animation = simple.WaftAnimation(FileName=self.scene, Quality="Full")
+        animation.SMProxy.InvokeCommand("WorkInSlices")
+        animation.UpdatePipeline()
+        self.assertEqual(self.asked(animation, "WorkState"), BESIDE)
+        simple.Delete(animation)
+
     def test_in_this_process(self):
         self.check_slices()
+        self.check_beside()
+        self.check_deleted()
 
     def test_on_a_server(self):
         with server() as port:
@@ -99,6 +137,8 @@ class SliceTest(unittest.TestCase):
             waft.load_plugin()
             try:
                 self.check_slices()
+                self.check_beside()
+                self.check_deleted()
             finally:
                 simple.Disconnect()
                 simple.Connect()

@@ -127,7 +127,10 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
   {
     this->Cache.Forget();
     const double slice = this->SliceNow();
-    const Result result = this->Advance(inputs, this->IsBeside && slice > 0.0 ? OneTick : slice);
+    const bool isBeside = this->IsBeside && slice > 0.0;
+    const Result result = isBeside && this->Held.Now() == SlicedRun::State::Held
+                            ? this->PublishHeld(inputs)
+                            : this->Advance(inputs, isBeside ? OneTick : slice);
     if (!result)
     {
       return this->FailWith(result, outputs);
@@ -232,7 +235,7 @@ Result KeptStage::Begin(vtkInformationVector** inputs)
   if (this->SliceNow() > 0.0)
   {
     this->Held.Begin([this, inputs](Monitor& monitor) { return this->Run(inputs, monitor); });
-    return this->Advance(inputs, FirstSlice * this->SliceNow());
+    return this->Advance(inputs, this->IsBeside ? OneTick : FirstSlice * this->SliceNow());
   }
   this->Keep.clear();
   StageMonitor monitor(this->Stage);
@@ -252,6 +255,12 @@ Result KeptStage::Advance(vtkInformationVector** inputs, double seconds)
     return this->End(inputs, result);
   }
   monitor.Hold();
+  return this->PublishHeld(inputs);
+}
+
+Result KeptStage::PublishHeld(vtkInformationVector** inputs)
+{
+  this->Keep.clear();
   this->Publish();
   if (this->IsBeside)
   {

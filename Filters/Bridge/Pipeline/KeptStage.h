@@ -54,7 +54,8 @@ public:
   void GoOn();
   /// From now on work that an update leaves goes on beside.
   void WorkBeside() { this->IsBeside = true; }
-  /// Work that goes on beside waits until an update goes on with it.
+  /// Work that goes on beside waits, from its next tick on, until an update shows it and lets it
+  /// go.
   void Hold() { this->Held.Hold(); }
   /// Whether what is shown is the whole result.
   bool IsComplete() const { return !this->IsUnfinished; }
@@ -123,6 +124,7 @@ private:
   /// Runs Core as far as one update goes, and keeps what came out.
   Result Begin(vtkInformationVector** inputs);
   Result Advance(vtkInformationVector** inputs, double seconds);
+  Result PublishHeld(vtkInformationVector** inputs);
   Result End(vtkInformationVector** inputs, const Result& result);
   void Show(vtkInformation* request, vtkInformationVector* outputs);
   int FailWith(const Result& result, vtkInformationVector* outputs);

@@ -62,7 +62,7 @@ struct SlicedRun::Thread : Monitor
   State Now()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    return this->HasArrived ? State::Arrived : this->IsFree ? State::Beside : State::Held;
+    return this->HasArrived ? State::Arrived : this->IsWorkersTurn ? State::Beside : State::Held;
   }
   Progress SoFar()
   {

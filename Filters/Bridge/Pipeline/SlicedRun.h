@@ -24,8 +24,8 @@ public:
   enum class State
   {
     None,   // there is no work
-    Held,   // or it will be at its next tick
-    Beside, // it goes on by itself
+    Held,   // it waits
+    Beside, // it goes on by itself, to its next tick at least
     Arrived // it waits in Rejoin, or has ended: the next GoOn takes it at once
   };
 
