@@ -48,6 +48,7 @@ FORMULA = "a formula"
 BUILDS = "installs, builds or packs: CI and Install do it"
 NIGHTLY = "takes minutes, and tools that a build does without"
 PROJECT = "Install.Core builds it and compares it with the page"
+PROJECT_OF_VTK = "a project, which Install builds and runs; it compares the texts"
 EXCERPT = "an excerpt, simplified, of Data/Scenes/examples/make_examples.py, which Python.Examples runs: its calls are bound"
 BY_HAND = "Python.SixStages runs it on a coarse grid, and compares what a page quotes of it"
 LEFT = {
@@ -94,6 +95,8 @@ LEFT = {
     ("UserGuide.md", "cmake -S . -B build"): BUILDS,
     ("UserGuide.md", "plan = simple.StylisticPlannerFilter("): BY_HAND,
     ("UserGuide.md", "from waft.render import render"): "draws, which takes a display; Python.Render does",
+    ("UseFromCpp.md", "cmake_minimum_required"): PROJECT_OF_VTK,
+    ("UseFromCpp.md", "#include"): PROJECT_OF_VTK,
     ("VortexFitFilter.md", "f(x, t) = exp("): FORMULA,
     ("VortexFitFilter.md", "minimise  sum_i"): FORMULA,
     ("bubbles-curve.md", "for number, bubble in"): EXCERPT,
