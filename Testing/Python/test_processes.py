@@ -102,12 +102,12 @@ class Command(unittest.TestCase):
         self.assert_same(self.folder / "1", self.folder / "2")
         self.assert_same(self.folder / "1", self.folder / "3")
 
-    def make_scene(self, height):
-        """Seven maples, of which one has a mark."""
+    def make_scene(self, height, count=7):
+        """Maples, of which one has a mark."""
         path = self.folder / "scene.waft.json"
         path.write_text(json.dumps({
             "waft": 1, "seed": 5, "time": {"frames": 40}, "shapes": {"maple": {"builtin": "maple"}},
-            "objects": [{"shape": "maple", "count": 7, "region": {"min": [-0.5, -0.5, 2.5], "max": [0.5, 0.5, 3]}}],
+            "objects": [{"shape": "maple", "count": count, "region": {"min": [-0.5, -0.5, 2.5], "max": [0.5, 0.5, 3]}}],
             "constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [0.2, 0.1, height], "radius": 0.1}]}),
             encoding="utf-8")
         return path
@@ -124,6 +124,14 @@ class Command(unittest.TestCase):
                                   check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertTrue((self.folder / made).is_file())
+
+    def test_flies_in_full(self):
+        scene = self.make_scene(2.5, 2)
+        for processes_ in (1, 2):
+            status, _, error = self.run_on(processes_, "synthesize", scene, "--output", self.folder / f"out{processes_}")
+            self.assertEqual((status, error.count("1 of 1 constraints met")), (0, 1), error)
+        for name in ("poses.csv", "planned.vtp", "optimized.vtp", "constraints.csv"):
+            self.assertTrue(filecmp.cmp(self.folder / "out1" / name, self.folder / "out2" / name, shallow=False), name)
 
     def test_gives_the_status_of_the_first(self):
         path = self.make_scene(9)
