@@ -9,7 +9,8 @@ if(WAFT_PLAIN_VTK)
   # What vtk.module files and the bridge name, and what tests use besides: all of VTK would ask for Qt, databases and more.
   find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral
     FiltersGeometry FiltersSources ImagingCore IOCore IOGeometry IOImage IOXML IOXMLParser ParallelCore RenderingCore RenderingFreeType
-    Python WrappingPythonCore)
+    Python WrappingPythonCore
+    OPTIONAL_COMPONENTS ParallelMPI)
 else()
   waft_name_python_modules(ParaView)
   find_package(ParaView REQUIRED COMPONENTS RemotingCore RemotingViews)
