@@ -98,6 +98,19 @@ void SeekTime(const DriftSearch& search, const AirSampler& air, const BodyProble
   frames.Set(best);
 }
 
+int EarliestTouchDown(const DriftSearch& search, const BodyProblem& body, std::size_t landing)
+{
+  const int frame = body.LandingFrame(landing);
+  return frame > 0 ? body.EarliestTouchDown(landing, search.Spread) : frame;
+}
+
+/// What comes down tips over, rocks and lies still at the row's frame.
+int LatestTouchDown(const DriftSearch& search, const BodyProblem& body, std::size_t landing)
+{
+  return std::max(body.LandingFrame(landing) - search.Settling,
+                  EarliestTouchDown(search, body, landing));
+}
+
 } // namespace
 
 void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& body,
@@ -111,13 +124,12 @@ void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& bod
     timesBefore.emplace_back(body.TouchDown(l), body.LiftOff(l));
     body.SetTouchDown(l, body.LandingFrame(l));
     body.SetLiftOff(l, body.LeavingFrame(l));
+    body.SetTouchDown(l, LatestTouchDown(search, body, l));
   }
   path = BestDrift(search, air, body, body.Starts(air, search.Starts));
   for (std::size_t l = 0; l < body.NumberOfLandings(); ++l)
   {
-    const int landing = body.LandingFrame(l);
-    const FramesToTry touchDowns{ landing,
-                                  landing > 0 ? body.EarliestTouchDown(l, search.Spread) : landing,
+    const FramesToTry touchDowns{ body.TouchDown(l), EarliestTouchDown(search, body, l),
                                   -search.Step, [&](int frame) { body.SetTouchDown(l, frame); },
                                   [&](const std::vector<Vec3>& from, int last)
                                   { return body.Retimed(from, l, last); } };

@@ -19,6 +19,7 @@ struct DriftSearch
   DriftWeights Weights;
   int Starts = 0;         // perturbed ones
   int Spread = 0;         // frames that it may lie before and after those between which it has to
+  int Settling = 0;       // frames before that of its row, at the latest, that a body touches down
   int Step = 1;           // frames between touch-downs that are tried, and between lift-offs
   bool HasSolids = false; // in the air: what passes through an obstacle is worse than what does not
 };

@@ -46,6 +46,9 @@ struct AirState
   AirBodies Bodies;
 };
 
+/// In which a body that has touched the ground tips over and comes to lie [s].
+inline constexpr double SettlingTime = 0.4;
+
 /// What a run is given, and what follows from that alone.
 struct AirContext
 {
@@ -59,6 +62,7 @@ struct AirContext
     this->Search.Weights.Smoothness = options.Smoothness;
     this->Search.Starts = options.Starts;
     this->Search.Spread = static_cast<int>(std::lround(options.TouchDownSpread * rate));
+    this->Search.Settling = static_cast<int>(std::lround(SettlingTime * rate));
     this->Search.Step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
   }
   AirContext(const AirContext&) = delete;
