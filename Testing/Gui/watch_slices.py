@@ -11,7 +11,6 @@ from watching import SCENE, animation_of_the_menu, digest, end, has_bodies, view
 import waft
 
 FULL, PREVIEW = 2, 0  # of Quality
-SETTLES = 0.5         # s that the work waits where it was stopped
 PICTURES = 4          # that are drawn while they are counted
 SHORT = SCENE.replace("kept", "short")
 
@@ -30,7 +29,7 @@ make_scene(SCENE, 3, 240)
 make_scene(SHORT, 1, 60)
 began = time.monotonic()
 steps = ["flies", "rests", "flies again", "counts", "ends"]
-held = None  # (since when, how far the work was)
+held = None  # how far the work was at the last look, where it waited
 resting = counting = 0.0
 rest = {}
 drawing = {"pictures": 0, "began": 0.0, "seconds": 0.0}
@@ -80,8 +79,8 @@ def follow(animation, source):
     now = time.monotonic()
     step, is_held, done = steps[0], source.GetWorkState() == source.HELD, source.GetWorkDone()
     if step == "flies":
-        held = held if is_held and held and held[1] == done else (now, done) if is_held else None
-        if held and now - held[0] > SETTLES:  # for a picture it waits a hundredth of a second
+        was, held = held, done if is_held else None
+        if held is not None and was == held:  # for a picture it waits less than from one look to the next
             steps.pop(0)
             resting = now
             rest.update(before=done, after=done, rested=0.0, used=0.0, then=time.process_time())
