@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's own window on a virtual screen: a mark is dragged in the view, whose body flies anew; undo, redo and Save scene.
+"""ParaView's own window on a virtual screen: a mark is dragged in the view, whose body is planned anew; undo, redo and Save scene.
 
     test_edit.py PARAVIEW XVFB PLUGINS MODULES"""
 import itertools

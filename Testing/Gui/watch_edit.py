@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; once it has
-flown, puts the camera before the mark of body 1, so that it is in the middle of the picture; notes, whenever the work is done, the
-edits and the bytes of each body's poses; ends ParaView when the scene was saved."""
+"""Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; once it is
+planned, puts the camera before the mark of body 1, so that it is in the middle of the picture; notes, whenever the work is done, the
+edits and the bytes of each body's path; ends ParaView when the scene was saved. A pause of an event script lets no work go on, so that
+the scene is planned alone, which is one slice (Python.Edits flies)."""
 import hashlib
 import json
 import os
@@ -36,7 +37,6 @@ log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
 view = simple.GetActiveViewOrCreate("RenderView")
 began = time.monotonic()
 seen = None
-is_framed = False
 
 
 def write(**line):
@@ -44,21 +44,24 @@ def write(**line):
     log.flush()
 
 
+def was_edited():
+    with open(os.environ["WAFT_GUI_LOG"], encoding="utf-8") as lines:
+        return sum(1 for _ in lines) > 1
+
+
 def look(animation):
-    global seen, is_framed
+    global seen
     source = animation.GetClientSideObject()
-    poses = source.GetOutputDataObject(1)
+    poses = source.GetOutputDataObject(5)
     if not source.GetComplete() or poses is None or poses.GetNumberOfPoints() != 3 * FRAMES:
         return
     places = vtk_to_numpy(poses.GetPoints().GetData()).reshape(-1, FRAMES, 3)
-    turns = vtk_to_numpy(poses.GetPointData().GetArray("Orientation")).reshape(-1, FRAMES, 4)
-    bytes_of = [hashlib.sha256(place.tobytes() + turn.tobytes()).hexdigest() for place, turn in zip(places, turns)]
+    bytes_of = [hashlib.sha256(place.tobytes()).hexdigest() for place in places]
     edits = animation.SMProxy.GetProperty("Edits").GetElement(0)
     if (edits, bytes_of) != seen:
         seen = (edits, bytes_of)
         write(edits=json.loads(edits or "[]"), bodies=bytes_of, at=places[1, 70].tolist(), processor=time.process_time())
-    if not is_framed:
-        is_framed = True
+    if seen[0] in (None, "") and not was_edited():  # the window frames what comes first
         view.CameraFocalPoint = [0.1, 0.1, 1.9]
         view.CameraPosition = [0.1, -4.9, 1.9]
         view.CameraViewUp = [0, 0, 1]
@@ -72,6 +75,7 @@ def note(*_):
             return
         if not animation.FileName:
             animation.SMProxy.GetProperty("FileName").SetElement(0, str(scene))  # for Apply to push
+            animation.SMProxy.GetProperty("StopAfter").SetElement(0, 1)
             return
         look(animation)
         if scene.read_text(encoding="utf-8") != SCENE and not animation.SMProxy.GetProperty("Edits").GetElement(0):

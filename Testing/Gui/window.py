@@ -14,8 +14,6 @@ PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scroll
 VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/"
         "Container/Frame.0/CentralWidgetFrame/Viewport")
 
-FLIGHT = os.environ.get("WAFT_GUI_FLIGHT", "15000")  # ms in which a small scene has flown; more on a machine that is laden
-
 
 class Screen:
     """An X server of its own; it names its display once clients may come, and keeps what it shows in a file of the folder
@@ -58,7 +56,7 @@ def play(events, folder, watch="watch_widgets.py", ends=True):
     the events, else the script ends it."""
     script = folder / "events.xml"
     text = (HERE / events).read_text(encoding="utf-8")
-    for name, value in (("@PANEL@", PANEL), ("@VIEW@", VIEW), ("@FOLDER@", str(folder)), ("@FLIGHT@", FLIGHT)):
+    for name, value in (("@PANEL@", PANEL), ("@VIEW@", VIEW), ("@FOLDER@", str(folder))):
         text = text.replace(name, value)
     script.write_text(text, encoding="utf-8")
     status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
