@@ -104,7 +104,9 @@ class Assimilated(unittest.TestCase):
         scene.write_text(json.dumps(changed), encoding="utf-8")
         edited = waft.synthesize(str(scene), output=str(self.folder / "edited"), quality="air", edit_of=str(self.out),
                                  _settings=COARSE)
-        self.assertEqual((edited.status, edited.warnings), (0, []))
+        self.assertEqual(edited.status, 0)
+        for warning in edited.warnings:  # a second is short, in an air that was made for another mark
+            self.assertIn("object 2 (its mark at frame 30): the air does not take it there", warning)
         before, _ = self.tracks("optimized.vtp")
         after, _ = self.tracks("../edited/optimized.vtp")
         self.assertEqual(after[2, 30].tolist(), [0.6, 0.4, 1.1])

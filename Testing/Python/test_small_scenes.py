@@ -26,17 +26,17 @@ WAFT = sys.argv.pop(1)
 MARGIN = 1.2
 FIGURES = {
     "feather-maze": {
-        "private_hand": 0.427, "replay": 0.837, "life_velocity": 1.20, "life_acceleration": 1.43, "band_0.1": 1.16,
-        "band_0.3": 1.41, "band_0.6": 1.25, "band_1.2": 1.40, "start": 0.333, "witnesses_life_velocity": 1.38,
-        "witnesses_life_acceleration": 2.16, "witnesses_one_air_along": 0.639, "witnesses_wind": 0.149},
+        "private_hand": 0.284, "replay": 0.596, "life_velocity": 1.01, "life_acceleration": 1.48, "band_0.1": 0.728,
+        "band_0.3": 1.11, "band_0.6": 1.51, "band_1.2": 2.24, "start": 0.708, "witnesses_life_velocity": 1.37,
+        "witnesses_life_acceleration": 2.18, "witnesses_one_air_along": 0.65, "witnesses_wind": 0.15},
     "leaves-letters": {
-        "private_hand": 0.142, "replay": 0.171, "life_velocity": 1.91, "life_acceleration": 1.06, "band_0.1": 1.24,
-        "band_0.3": 1.23, "band_0.6": 0.968, "band_1.2": 0.699, "start": 0.540, "witnesses_life_velocity": 0.962,
-        "witnesses_life_acceleration": 0.920, "witnesses_one_air_along": 0.580, "witnesses_wind": 0.142, "landing": 0.995},
+        "private_hand": 0.071, "replay": 0.117, "life_velocity": 1.53, "life_acceleration": 1.03, "band_0.1": 1.95,
+        "band_0.3": 1.61, "band_0.6": 0.855, "band_1.2": 1.06, "start": 0.705, "witnesses_life_velocity": 0.962,
+        "witnesses_life_acceleration": 0.901, "witnesses_one_air_along": 0.619, "witnesses_wind": 0.166, "landing": 1.12},
     "bubbles-stairs": {
-        "private_hand": 0.194, "replay": 0.197, "life_velocity": 2.27, "life_acceleration": 7.34, "band_0.1": 2.66,
-        "band_0.3": 2.75, "band_0.6": 3.01, "band_1.2": 6.37, "start": 0.447, "witnesses_life_velocity": 1.67,
-        "witnesses_life_acceleration": 2.86, "witnesses_one_air_along": 0.533, "witnesses_wind": 0.364},
+        "private_hand": 0.189, "replay": 0.166, "life_velocity": 2.55, "life_acceleration": 8.12, "band_0.1": 2.84,
+        "band_0.3": 3.12, "band_0.6": 3.76, "band_1.2": 8.22, "start": 0.427, "witnesses_life_velocity": 1.67,
+        "witnesses_life_acceleration": 2.88, "witnesses_one_air_along": 0.535, "witnesses_wind": 0.367},
 }
 # Of the others less is a fault as more is: what does not stir is no better than what trembles.
 LESS_IS_BETTER = ("private_hand", "replay", "start", "witnesses_wind", "landing")
@@ -140,9 +140,10 @@ class SmallScenes(unittest.TestCase):
             points += 0.0005 * np.random.RandomState(1).standard_normal(points.shape)
             write_xml(tracks, str(folder / "optimized.vtp"))
 
-        said = self.worse_after(shake, ["leaves-letters"])
-        for key in ("life_acceleration", "exact"):
-            self.assertIn(f"leaves-letters: {key}: ", said)
+        said = self.worse_after(shake, ["feather-maze", "bubbles-stairs"])  # not of leaves, which flutter by centimetres
+        for name in ("feather-maze", "bubbles-stairs"):
+            for key in ("life_acceleration", "exact"):
+                self.assertIn(f"{name}: {key}: ", said)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,8 @@ namespace waft
 {
 namespace
 {
+constexpr double SeldomSlowed = 0.05; // of a body's frames, by a limit that nobody set
+
 bool IsBetween(double x, double low, double high)
 {
   return std::isfinite(x) && x >= low && x <= high;
@@ -267,7 +269,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   }
 
   std::map<std::pair<int, int>, std::string> tooFast;
-  TurnCount turns(most);
+  TurnCount turns(most, options.MaximumTurn > 0.0 ? 0.0 : SeldomSlowed);
   result.Constraints = input.Constraints;
   for (AttitudeOutcome& outcome : outcomes)
   {

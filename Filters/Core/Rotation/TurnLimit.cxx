@@ -166,7 +166,8 @@ void TurnCount::Add(const AttitudeOutcome& outcome)
       first = slowed++ == 0 ? last : first;
     }
   }
-  this->Slowed.Add(id, slowed, first, last);
+  const bool isFew = slowed <= this->Tolerated * static_cast<double>(outcome.Slowed.size());
+  this->Slowed.Add(id, isFew ? 0 : slowed, first, last);
   const std::vector<double> turns = Turns(outcome);
   int fast = 0;
   for (std::size_t k = 0; k < turns.size(); ++k)

@@ -26,7 +26,9 @@ void SetLimit(double most, FlightPath& path);
 class TurnCount
 {
 public:
-  explicit TurnCount(double most) : Most(most) {}
+  /// most: the limit [rad a frame]. tolerated: of an object's frames, of which nothing is said: a
+  /// limit that nobody set.
+  explicit TurnCount(double most, double tolerated = 0.0) : Most(most), Tolerated(tolerated) {}
   void Add(const AttitudeOutcome& outcome);
   /// How many objects and frames were slowed, and which; how many turn by more all the same, and by
   /// how much.
@@ -46,6 +48,7 @@ private:
   };
 
   double Most; // rad
+  double Tolerated;
   Tally Slowed;
   Tally Fast;
   double Greatest = 0.0; // rad

@@ -71,6 +71,11 @@ void DriftEdited(const AirContext& run, AirState& state, AssimilationOutput& out
   (void)FirstDrift(run, state, output);
   (void)TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations, Everybody(state.Bodies),
                      state.Bodies);
+  if (!state.Bodies.Poses.empty()) // where their poses take them is another way
+  {
+    PartMonitor seeking(run.Caller, DriftEnd, DriftEnd, "Seeking anew by how the objects turn");
+    (void)SeekPaths(run, state.Sampled.Velocity, Everybody(state.Bodies), state.Bodies, seeking);
+  }
   PartMonitor drifting(run.Caller, DriftEnd, 1.0, "Letting the objects drift to their marks");
   (void)DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting);
   output.Rounds.push_back(RoundOf(run, state, "edit"));

@@ -76,7 +76,7 @@ bool HasPaths(const AssimilationState& kept, const AirContext& run)
   const std::size_t frames = run.Input.Tracks.front().Positions.size();
   return !kept.IsEmpty() && kept.Paths.size() == count && kept.TouchDowns.size() == count &&
          kept.LiftOffs.size() == count &&
-         kept.Poses.size() == (GlidesIn(run.Input, run.Options) ? count : 0) &&
+         (kept.Poses.empty() || kept.Poses.size() == count) &&
          kept.Air->Velocity.Values.size() == frames &&
          std::all_of(kept.Paths.begin(), kept.Paths.end(),
                      [frames](const std::vector<Vec3>& path) { return path.size() == frames; });

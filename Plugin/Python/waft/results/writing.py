@@ -258,7 +258,7 @@ def _at(algorithm, port, time):
 
 def _posed_rows(run):
     """The constraints, with when their rests touched and were still as the bodies were turned."""
-    rows = run.output("planner", 3) if run.assimilation is None else run.output("assimilation", 3)
+    rows = run.pipeline.planned(3) if run.assimilation is None else run.output("assimilation", 3)
     begun = {(int(line["Row"]), int(line["Target"])): line for line in run.report if line["Settled"] != "-1"}
     posed = rows.NewInstance()
     posed.DeepCopy(rows)
