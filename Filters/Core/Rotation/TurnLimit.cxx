@@ -166,8 +166,8 @@ void TurnCount::Add(const AttitudeOutcome& outcome)
       first = slowed++ == 0 ? last : first;
     }
   }
-  const bool isFew = slowed <= this->Tolerated * static_cast<double>(outcome.Slowed.size());
-  this->Slowed.Add(id, isFew ? 0 : slowed, first, last);
+  const double few = this->Tolerated * static_cast<double>(outcome.Slowed.size());
+  this->Slowed.Add(id, slowed <= few ? 0 : slowed, first, last);
   const std::vector<double> turns = Turns(outcome);
   int fast = 0;
   for (std::size_t k = 0; k < turns.size(); ++k)
@@ -179,7 +179,7 @@ void TurnCount::Add(const AttitudeOutcome& outcome)
       first = fast++ == 0 ? last : first;
     }
   }
-  this->Fast.Add(id, fast, first, last);
+  this->Fast.Add(id, fast <= few ? 0 : fast, first, last);
 }
 
 std::vector<std::string> TurnCount::Warnings() const
