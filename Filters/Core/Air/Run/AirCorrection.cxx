@@ -85,7 +85,7 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
   const int again = run.Options.WindRounds / 2;
   for (int k = 0; k < run.Options.WindRounds; ++k)
   {
-    if ((k == 0 && state.Bodies.Poses.empty()) || k == again)
+    if ((k == 0 && state.Bodies.Poses.empty()) || (k == again && run.Options.Rounds > 0))
     {
       const Result turned = TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
                                          Everybody(state.Bodies), state.Bodies);
