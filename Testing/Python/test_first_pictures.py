@@ -170,7 +170,7 @@ class FirstPicturesTest(unittest.TestCase):
         self.assert_as_baseline(view, PLACE / "first_leaf.png", [300, 200])
         view.ViewTime -= 1.0 / 30.0
         simple.SaveScreenshot(str(PLACE / "late.png"), view, ImageResolution=[300, 200])
-        self.assertGreater(baseline.error(PLACE / "late.png", SOURCE / "Data" / "Baseline" / "first_leaf.png"), 10 * baseline.THRESHOLD)
+        self.assertGreater(baseline.error(PLACE / "late.png", SOURCE / "Data" / "Baseline" / "first_leaf.png"), 5 * baseline.THRESHOLD)
 
     def test_an_animation_snaps_to_the_frames_of_a_scene(self):
         view = fresh_view()

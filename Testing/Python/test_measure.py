@@ -22,7 +22,7 @@ from waft.failures import BadInput  # noqa: E402
 from waft.files import write_pvd, write_xml  # noqa: E402
 from waft.measuring import _flights, _two_sample  # noqa: E402
 from waft.measuring._airfield import AirField  # noqa: E402
-from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, make_drifters  # noqa: E402
+from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, gliding, make_drifters  # noqa: E402
 from waft.measuring._flights import Flights  # noqa: E402
 from waft.measuring._runs import flight, held, read_run  # noqa: E402
 from waft.measuring.rows import _control, _lacking, table  # noqa: E402
@@ -36,6 +36,13 @@ COUNT = 24
 BOUNDS = (-2.0, 2.0, -2.0, 2.0, 0.0, 4.0)
 SLIP = 0.2
 SPIN = 0.8  # of the air about the volume's middle [rad/s]
+
+
+def sinking(count, slip, frames):
+    """The velocity [body, frame, 3] of bodies that sink straight down through the air."""
+    own = np.zeros((count, frames, 3))
+    own[..., 2] = -slip
+    return own
 
 
 def flights(positions, slip=0.0):
@@ -154,14 +161,35 @@ class DefinitionTest(unittest.TestCase):
         values, along = _flights.structure([flights(position)], every=1)
         self.assertLess(np.nanmax(np.abs(values - 1.0)), 0.1)
         self.assertAlmostEqual(along, 1.0, delta=0.15)
-        path = turning_air(20).drift(places(300), np.zeros(300), 0, 20, RATE)
+        path = turning_air(20).drift(places(300), sinking(300, 0.0, 20), 0, 20, RATE)
         values, along = _flights.structure([flights(path)])
         self.assertTrue(np.all(np.diff(values) > 0.0))
         self.assertLess(along, 1e-3)  # a solid body does not stretch
 
+    def test_a_body_that_goes_by_its_slip_has_no_residual_control(self):
+        air = turning_air()
+        own = sinking(COUNT, SLIP, FRAMES)
+        own[..., 0] = 0.4 * np.sin(2.0 * np.pi * np.arange(FRAMES) / 20.0)
+        path = air.drift(places(COUNT), own, 0, FRAMES, RATE)
+        moved = flights(path, SLIP)
+        gliding = Flights(path, RATE, moved.flying, moved.free, moved.slip, own)
+        control = _control(gliding, air)[gliding.inside]
+        self.assertLess(np.abs(control).max(), 0.03)  # a central difference of a swing
+        self.assertGreater(np.abs(_control(moved, air)[moved.inside]).max(), 0.35)
+
+    def test_drifters_glide_as_the_bodies_do(self):
+        still = [flights(np.repeat(places(5)[:, None], FRAMES, axis=1), SLIP)]
+        own = sinking(COUNT, SLIP, FRAMES)
+        own[..., 0] += 0.4 * np.sin(2.0 * np.pi * np.arange(FRAMES) / 20.0)
+        moved = flights(np.repeat(places(COUNT)[:, None], FRAMES, axis=1), SLIP)
+        glided = gliding(still, [Flights(moved.positions, RATE, moved.flying, moved.free, moved.slip, own)])[0]
+        inside = glided.inside
+        self.assertLess(np.abs(glided.velocity[inside] - (own[:5] + [0.0, 0.0, SLIP])[inside]).max(), 0.03)
+        self.assertIs(gliding(still, [moved]), still)
+
     def test_a_passive_body_has_no_residual_control(self):
         air = turning_air()
-        path = air.drift(places(COUNT), np.full(COUNT, SLIP), 0, FRAMES, RATE)
+        path = air.drift(places(COUNT), sinking(COUNT, SLIP, FRAMES), 0, FRAMES, RATE)
         moved = flights(path, SLIP)
         self.assertLess(np.abs(_control(moved, air)[moved.inside]).max(), 2e-4)
         radius = np.hypot(path[:, 0, 0], path[:, 0, 1])
@@ -313,7 +341,7 @@ class FolderTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.air = turning_air()
-        cls.path = cls.air.drift(places(COUNT), np.full(COUNT, SLIP), 0, FRAMES, RATE)
+        cls.path = cls.air.drift(places(COUNT), sinking(COUNT, SLIP, FRAMES), 0, FRAMES, RATE)
         cls.folder = write_folder(os.path.join(WORK, "passive"), cls.path, air=cls.air)
 
     def test_a_passive_motion(self):
