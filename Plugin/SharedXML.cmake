@@ -30,23 +30,23 @@ set(WAFT_SLICES [=[
       <Property name="Hold" command="Hold" panel_visibility="never">
         <Documentation>Work that goes on beside waits, from its next tick on, until an update after GoOn.</Documentation>
       </Property>
-      <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="never">
+      <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="advanced">
         <SimpleIntInformationHelper/>
         <Documentation>1: nothing is left to do, the last update gave the whole result or failed; 0: it gave the motion so far.</Documentation>
       </IntVectorProperty>
-      <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1" panel_visibility="never">
+      <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1" panel_visibility="advanced">
         <SimpleDoubleInformationHelper/>
         <Documentation>Of the work that has not ended: 0 to 1.</Documentation>
       </DoubleVectorProperty>
-      <IntVectorProperty name="WorkState" command="GetWorkState" information_only="1" panel_visibility="never">
+      <IntVectorProperty name="WorkState" command="GetWorkState" information_only="1" panel_visibility="advanced">
         <SimpleIntInformationHelper/>
         <Documentation>0: there is no work; 1: it is held; 2: it goes on beside; 3: it has come to its end, which the next update after GoOn shows.</Documentation>
       </IntVectorProperty>
-      <DoubleVectorProperty name="SecondsLeft" command="GetSecondsLeft" information_only="1" panel_visibility="never">
+      <DoubleVectorProperty name="SecondsLeft" command="GetSecondsLeft" information_only="1" panel_visibility="advanced">
         <SimpleDoubleInformationHelper/>
         <Documentation>Seconds that the work takes from here on, by those that it took; below 0 while that is not known.</Documentation>
       </DoubleVectorProperty>
-      <StringVectorProperty name="Message" command="GetWorkText" information_only="1" panel_visibility="never">
+      <StringVectorProperty name="Message" command="GetWorkText" information_only="1" panel_visibility="advanced">
         <SimpleStringInformationHelper/>
         <Documentation>What the stage does; done in the end, or why it failed.</Documentation>
       </StringVectorProperty>]=])

@@ -179,7 +179,7 @@ void TurnCount::Add(const AttitudeOutcome& outcome)
       first = fast++ == 0 ? last : first;
     }
   }
-  this->Fast.Add(id, fast <= few ? 0 : fast, first, last);
+  this->Fast.Add(id, fast, first, last);
 }
 
 std::vector<std::string> TurnCount::Warnings() const

@@ -75,8 +75,7 @@ bool HasPaths(const AssimilationState& kept, const AirContext& run)
   const std::size_t count = run.Input.Tracks.size();
   const std::size_t frames = run.Input.Tracks.front().Positions.size();
   return !kept.IsEmpty() && kept.Paths.size() == count && kept.TouchDowns.size() == count &&
-         kept.LiftOffs.size() == count &&
-         (kept.Poses.empty() || kept.Poses.size() == count) &&
+         kept.LiftOffs.size() == count && (kept.Poses.empty() || kept.Poses.size() == count) &&
          kept.Air->Velocity.Values.size() == frames &&
          std::all_of(kept.Paths.begin(), kept.Paths.end(),
                      [frames](const std::vector<Vec3>& path) { return path.size() == frames; });
