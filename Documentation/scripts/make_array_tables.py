@@ -32,7 +32,7 @@ NONE = "-"
 # By name, where a port gives no other. What is counted, numbered, named or a share has none.
 UNITS = {name: unit for unit, names in {
     "m": "CoreRadius ClearanceRadius RestHeight Shift Thickness Leash MaxViolation LargestRepair Translation Mean Coefficients Radius",
-    "m/s": "Velocity AirVelocity SPHVelocity SettlingSpeed Control ControlRms ControlMedian FlowRms WindRms TopSpeed MeanWind",
+    "m/s": "Velocity AirVelocity SPHVelocity Slip SettlingSpeed Control ControlRms ControlMedian FlowRms WindRms TopSpeed MeanWind",
     "m/s^2": "Force VortexAcceleration WindAcceleration VortexForce WindForce ResidualForce Residual Wind",
     "m^2/s^2": "Strength",
     "s": "Time CenterTime Duration Seconds",
@@ -46,13 +46,15 @@ UNITS = {name: unit for unit, names in {
     "dx a frame": "VelocityResidual",
     "w, x, y, z": "Orientation Rotation",
     "red, green, blue": "Color Tint",
-    NONE: "Frame ForceType VortexId ObjectId ObjectIdGiven VelocityGiven TouchDown LiftOff Until Confidence ObjectCount Kind Row Target "
+    NONE: "Frame ForceType VortexId ObjectId ObjectIdGiven VelocityGiven OrientationGiven TouchDown Settled LiftOff Until Confidence ObjectCount Kind Row Target "
           "Group ClassId ShapeId ObstacleId Status Message Stage Candidate Span Tree Parent Segment Cost Take Met Rows CurvatureDistance "
           "AccelerationDistance Score Reached RetimingFactor Branches Planned Opacity Texture TextureCoordinates Normals DragCoefficient "
           "ReplayError GasReplayError GasHiddenHand RepairedFraction ParticleId Pass Iteration E Ex Ev Ec Clearance Approach Contact "
           "Separation EvObjects Fields E2 ShareVortices ShareWind ShareGas ShareDrag ShareLanding ShareNone Explained ExplainedLeftOut "
           "Density Obstacle Simulation Window Rank RelativeError Basis Medoid FirstChild NumberOfChildren NumberOfSegments Before After "
-          "IsConnectible Key",
+          "IsConnectible Key Facing FaceUp",
+    "rad": "FacingTolerance",
+    "degrees": "Agreement",
 }.items() for name in names.split()}
 OF_THE_KIND = "of the kind"  # m, m/s, m/s^2 or rad, as the row's Kind says
 PORT_UNITS = {("Constraints", "Value"): OF_THE_KIND, ("Constraints", "Radius"): OF_THE_KIND, ("Report", "Residual"): OF_THE_KIND,
