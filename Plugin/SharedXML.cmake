@@ -38,7 +38,7 @@ set(WAFT_SLICES [=[
         <SimpleDoubleInformationHelper/>
         <Documentation>Of the work that has not ended: 0 to 1.</Documentation>
       </DoubleVectorProperty>
-      <IntVectorProperty name="WorkState" command="GetWorkState" information_only="1" panel_visibility="advanced">
+      <IntVectorProperty name="WorkState" command="GetWorkState" information_only="1" panel_visibility="never">
         <SimpleIntInformationHelper/>
         <Documentation>0: there is no work; 1: it is held; 2: it goes on beside; 3: it has come to its end, which the next update after GoOn shows.</Documentation>
       </IntVectorProperty>

@@ -28,12 +28,12 @@ class SliceTest(WindowTest):
 
     def test_apply_returns_with_a_first_picture(self):
         first = self.looks[0]
-        self.assertEqual((first["complete"], first["points"], first["flagged"]), (0, 720, 1), first)
+        self.assertEqual((first["complete"], first["points"], first["flagged"]), (0, 1440, 1), first)
         self.assertGreater(first["bodies"], 0)
 
     def test_the_motion_so_far_is_shown_until_it_is_whole(self):
         self.assertGreater(len({note["work"] for note in self.looks}), 3, "it goes on")
-        self.assertTrue(all(note["points"] in (720, 60) and note["bodies"] > 0 for note in self.looks))
+        self.assertTrue(all(note["points"] in (1440, 60) and note["bodies"] > 0 for note in self.looks))
         self.assertEqual([note["complete"] for note in self.looks].count(1), 1)
         self.assertFalse(self.looks[-1]["flagged"])
 

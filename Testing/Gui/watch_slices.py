@@ -25,7 +25,7 @@ def make_scene(path, feathers, frames):
     scene.save(path)
 
 
-make_scene(SCENE, 3, 240)
+make_scene(SCENE, 3, 480)  # so long that Stop is pressed before it has flown
 make_scene(SHORT, 1, 60)
 began = time.monotonic()
 steps = ["flies", "rests", "flies again", "counts", "ends"]
