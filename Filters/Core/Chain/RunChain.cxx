@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Chain/RunChain.h"
 
+#include "Air/Run/BodyTurning.h"
 #include "Base/StateArchive.h"
 #include "Constraints/MotionProblem.h"
 #include "Grid/NodeSolids.h"
@@ -20,14 +21,6 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 /// Fields of the air's velocity at all frames, one after another.
-FieldSeries AirAt(const SampledAir& air, double time)
-{
-  FieldSeries now{ static_cast<const SeriesLattice&>(air.Velocity) };
-  now.Times = { time };
-  now.Values = { air.Velocity.Around(time).At(time) };
-  return now;
-}
-
 FieldSeries AirOfFrames(const SampledAir& air, const Timeline& line)
 {
   FieldSeries all{ static_cast<const SeriesLattice&>(air.Velocity) };
@@ -332,7 +325,8 @@ Result Chain::Turn(Monitor& monitor)
   AirOnTracks air(input.Tracks, scene.Info.Time);
   for (int frame = 0; this->HasAir() && frame < scene.Info.Time.NumberOfFrames; ++frame)
   {
-    WAFT_RETURN_IF_FAILED(air.Add(AirAt(*this->Made.Air.Air, scene.Info.Time.Time(frame))));
+    WAFT_RETURN_IF_FAILED(
+      air.Add(FieldAt(this->Made.Air.Air->Velocity, scene.Info.Time.Time(frame))));
   }
   air.Finish();
   ObstacleSet obstacles;

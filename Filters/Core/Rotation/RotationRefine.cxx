@@ -291,7 +291,6 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   }
   const std::vector<std::string> fast = turns.Warnings();
   result.Warnings.insert(result.Warnings.end(), fast.begin(), fast.end());
-  result.Slowed = fast;
   ReportOrientations(input, tooFast, result);
   ReportFacings(input, tooFast, result);
   ReportRests(result);

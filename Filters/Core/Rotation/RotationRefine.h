@@ -95,7 +95,6 @@ struct RotationOutput
   /// its body faces, by how much it is missed [rad], and one for each rest that is kept.
   std::vector<ReportRow> Report;
   std::vector<std::string> Warnings; // objects and shapes are named; rows that are not met too
-  std::vector<std::string> Slowed;   // those of them that tell of MaximumTurn
 };
 
 /// Fails when a shape has no area, a mass is not positive, a track has no object or another length;

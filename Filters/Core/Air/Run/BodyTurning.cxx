@@ -51,10 +51,7 @@ Result SetUp(const AirContext& run, const HalfSeries& series, const std::vector<
   turning.Air = AirOnTracks(input.Tracks, line);
   for (int frame = 0; !input.Tracks.empty() && frame < line.NumberOfFrames; ++frame)
   {
-    FieldSeries now{ static_cast<const SeriesLattice&>(series) };
-    now.Times = { line.Time(frame) };
-    now.Values = { series.Around(now.Times.front()).At(now.Times.front()) };
-    WAFT_RETURN_IF_FAILED(turning.Air.Add(std::move(now)));
+    WAFT_RETURN_IF_FAILED(turning.Air.Add(FieldAt(series, line.Time(frame))));
   }
   turning.Air.Finish();
   input.Air = &turning.Air;
@@ -69,6 +66,14 @@ RotationOptions OptionsOf(const AirContext& run)
 }
 
 } // namespace
+
+FieldSeries FieldAt(const HalfSeries& air, double time)
+{
+  FieldSeries now{ static_cast<const SeriesLattice&>(air) };
+  now.Times = { time };
+  now.Values = { air.Around(time).At(time) };
+  return now;
+}
 
 Track FlownTrack(const AirBodies& bodies, std::size_t o)
 {

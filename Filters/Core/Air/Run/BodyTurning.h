@@ -7,6 +7,9 @@
 namespace waft
 {
 
+/// The field of an air at a time [s].
+FieldSeries FieldAt(const HalfSeries& air, double time);
+
 /// A body's path, with the poses that it flies in where it glides.
 Track FlownTrack(const AirBodies& bodies, std::size_t o);
 
