@@ -77,6 +77,60 @@ WAFT_SIMD_CLONES bool EliminateAny(double* values, std::size_t band, std::size_t
   return true;
 }
 
+// What is known of the right hand side's next entries stays in registers.
+
+/// L y = b for the first `count` columns, whose rows are all there.
+WAFT_SIMD_CLONES void SolveDownUsual(const double* values, std::size_t count, double* b)
+{
+  std::array<double, UsualBand> next;
+  std::copy_n(b, UsualBand, next.begin());
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    const double* diagonal = values + j * (UsualBand + 1) + UsualBand;
+    const double value = b[j] = next[0] * *diagonal;
+    for (std::size_t d = 1; d < UsualBand; ++d)
+    {
+      next[d - 1] = next[d] - diagonal[d * UsualBand] * value;
+    }
+    next[UsualBand - 1] = b[j + UsualBand] - diagonal[UsualBand * UsualBand] * value;
+  }
+  std::copy(next.begin(), next.end(), b + count);
+}
+
+/// L' x = y for the rows from the last to `UsualBand`.
+WAFT_SIMD_CLONES void SolveUpUsual(const double* values, std::size_t size, double* b)
+{
+  std::array<double, UsualBand> next; // [0] is the row's own
+  std::reverse_copy(b + size - UsualBand, b + size, next.begin());
+  for (std::size_t i = size; i-- > UsualBand;)
+  {
+    const double* diagonal = values + i * (UsualBand + 1) + UsualBand;
+    const double value = b[i] = next[0] * *diagonal;
+    for (std::size_t d = 1; d < UsualBand; ++d)
+    {
+      next[d - 1] = next[d] - *(diagonal - d) * value;
+    }
+    next[UsualBand - 1] = b[i - UsualBand] - *(diagonal - UsualBand) * value;
+  }
+  std::reverse_copy(next.begin(), next.end(), b);
+}
+
+WAFT_SIMD_CLONES void MultiplyUsual(const double* values, std::size_t size, const double* x,
+                                    double* y)
+{
+  for (std::size_t i = UsualBand; i < size; ++i)
+  {
+    const double* row = values + i * (UsualBand + 1);
+    double sum = row[UsualBand] * x[i];
+    for (std::size_t d = 0; d < UsualBand; ++d)
+    {
+      sum += row[d] * x[i - UsualBand + d];
+      y[i - UsualBand + d] += row[d] * x[i];
+    }
+    y[i] += sum;
+  }
+}
+
 } // namespace
 
 bool BandedMatrix::Factor()
@@ -98,7 +152,8 @@ void BandedMatrix::Multiply(const std::vector<double>& x, std::vector<double>& y
 {
   const std::size_t band = this->Width - 1;
   y.assign(this->N, 0.0);
-  for (std::size_t i = 0; i < this->N; ++i)
+  const bool isUsual = band == UsualBand && this->N > band;
+  for (std::size_t i = 0; i < (isUsual ? band : this->N); ++i)
   {
     const double* diagonal = this->Values.data() + i * this->Width + band;
     double sum = *diagonal * x[i];
@@ -110,12 +165,23 @@ void BandedMatrix::Multiply(const std::vector<double>& x, std::vector<double>& y
     }
     y[i] += sum;
   }
+  if (isUsual)
+  {
+    MultiplyUsual(this->Values.data(), this->N, x.data(), y.data());
+  }
 }
 
 void BandedMatrix::Solve(std::vector<double>& b) const
 {
   const std::size_t band = this->Width - 1;
-  for (std::size_t j = 0; j < this->N; ++j)
+  const bool isUsual = band == UsualBand && this->N > band;
+  std::size_t done = 0;
+  if (isUsual)
+  {
+    done = this->N - band;
+    SolveDownUsual(this->Values.data(), done, b.data());
+  }
+  for (std::size_t j = done; j < this->N; ++j)
   {
     const double* diagonal = this->Values.data() + j * this->Width + band;
     b[j] *= *diagonal;
@@ -125,7 +191,13 @@ void BandedMatrix::Solve(std::vector<double>& b) const
       b[j + d] -= diagonal[d * band] * b[j];
     }
   }
-  for (std::size_t i = this->N; i-- > 0;)
+  std::size_t left = this->N;
+  if (isUsual)
+  {
+    SolveUpUsual(this->Values.data(), this->N, b.data());
+    left = band;
+  }
+  for (std::size_t i = left; i-- > 0;)
   {
     const double* diagonal = this->Values.data() + i * this->Width + band;
     b[i] *= *diagonal;

@@ -46,10 +46,13 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
   {
     ++outcome.Iterations;
     double cost = 1e300;
+    double promised = 0.0;
     if (equations.Factor(damping.Value))
     {
-      step = equations.Descent();
+      const std::vector<double> descent = equations.Descent();
+      step = descent;
       equations.Solve(step);
+      promised = PromiseOf(step, descent, damping.Value);
       trial = path;
       MoveBy(step, trial);
       cost = equations.Cost(trial);
@@ -60,7 +63,7 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
       continue;
     }
     done = damping.IsConverged(outcome.Cost, cost);
-    damping.Lower();
+    damping.Lower(outcome.Cost - cost, promised);
     path = trial;
     outcome.Cost = done ? cost : equations.Linearise(path);
   }

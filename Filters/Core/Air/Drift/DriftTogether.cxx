@@ -124,8 +124,9 @@ public:
       });
   }
 
-  /// The step of Levenberg's method; false: the equations of a body cannot be solved.
-  bool FindStep(double damping, Unknowns& step)
+  /// The step of Levenberg's method, and by how much it should lower the cost; false: the equations
+  /// of a body cannot be solved.
+  bool FindStep(double damping, Unknowns& step, double& promised)
   {
     std::vector<char> isFactored(this->Size());
     this->Each([&](std::size_t m) { isFactored[m] = this->Own[m].Factor(damping) ? 1 : 0; });
@@ -133,14 +134,15 @@ public:
     {
       return false;
     }
-    Unknowns rest(this->Size()), along, image(this->Size());
+    Unknowns descent(this->Size()), along, image(this->Size());
     step.resize(this->Size());
     this->Each(
       [&](std::size_t m)
       {
-        rest[m] = this->Own[m].Descent();
-        step[m].assign(rest[m].size(), 0.0);
+        descent[m] = this->Own[m].Descent();
+        step[m].assign(descent[m].size(), 0.0);
       });
+    Unknowns rest = descent;
     const double enough = StepAccuracy * StepAccuracy * this->Dot(rest, rest);
     Unknowns solved = this->Preconditioned(rest);
     along = solved;
@@ -171,6 +173,7 @@ public:
           }
         });
     }
+    promised = this->Sum([&](std::size_t m) { return PromiseOf(step[m], descent[m], damping); });
     return true;
   }
 
@@ -279,7 +282,8 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
       return false;
     }
     double next = 1e300;
-    if (equations.FindStep(damping.Value, step))
+    double promised = 0.0;
+    if (equations.FindStep(damping.Value, step, promised))
     {
       for (std::size_t m = 0; m < equations.Size(); ++m)
       {
@@ -299,7 +303,7 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
       continue;
     }
     const bool isConverged = DriftDamping::IsConverged(cost, next);
-    damping.Lower();
+    damping.Lower(cost - next, promised);
     cost = next;
     std::swap(paths, trial);
     if (isConverged)
