@@ -248,6 +248,36 @@ class DefinitionTest(unittest.TestCase):
         jumping[:, 20, 1] += jump  # the same away from marks
         self.assertTrue(all(row.met for row in figures(jumping)))
 
+    def test_a_rope_of_bodies_before_a_common_mark_is_seen(self):
+        frames, mark = 180, 150
+        air = turning_air(frames)
+        drifting = air.drift(places(COUNT), sinking(COUNT, SLIP, frames), 0, frames, RATE)
+
+        def figures(name, positions):
+            measured = measure(write_folder(os.path.join(WORK, name), positions, air=air, mark=mark))[0]
+            return [measured[key] for key in ("approach_spacing", "approach_alignment")]
+
+        spacing, alignment = figures("passing", drifting)
+        self.assertAlmostEqual(alignment.value, 1.0, delta=0.01)  # they are as free as the free
+        self.assertTrue(alignment.met)
+        share = np.minimum(np.arange(frames) / mark, 1.0)[None, :, None]
+        first, last = places(COUNT)[:, None], places(COUNT, 4)[:, None]
+        straight = first + share * (last - first)
+        spacing, _ = figures("straight", straight)
+        self.assertAlmostEqual(spacing.value, 1.0, delta=1e-6)
+        middle = straight.mean(axis=0, keepdims=True)
+        spacing, _ = figures("roped", middle + (1.0 - 0.8 * np.sin(np.pi * share)) * (straight - middle))
+        self.assertLess(spacing.value, 0.5)
+        self.assertFalse(spacing.met)
+        axis = np.linspace(-2.0, 2.0, 33)
+        updraughts = np.zeros((1, 2, 2, 33, 3))
+        updraughts[..., 2] = SLIP + np.cos(2.0 * np.pi * axis)  # a metre wide each
+        air = AirField([0.0, frames / RATE], np.repeat(updraughts, 2, axis=0), None, [-2.0, -2.0, 0.0], [0.125, 4.0, 4.0])
+        stream = places(COUNT)[:, None] + share * np.array([0.5, 0.0, 0.0])  # side by side, where the free part
+        alignment = figures("stream", stream)[1]
+        self.assertAlmostEqual(alignment.value * alignment.drifters, 1.0, delta=1e-6)
+        self.assertFalse(alignment.met, alignment)
+
     def test_rows_of_position_hold_objects(self):
         rows = {"ObjectId": np.array([5, 5, 7, 9]), "Frame": np.array([10, 12, 30, 4]), "Kind": np.array([0, 1, 4, 0])}
         self.assertEqual([tuple(entry) for entry in np.argwhere(held(rows, np.array([5, 7]), FRAMES))], [(0, 10)])

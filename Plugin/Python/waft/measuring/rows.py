@@ -12,6 +12,7 @@ from waft.files import check_target
 from waft.marks import is_marked_zip
 from waft.measuring import _flights, _two_sample
 from waft.measuring._airfield import read_air
+from waft.measuring._approach import FIRST, LAST, LEAST_BODIES, approach
 from waft.measuring._drifters import Drifters, gliding, make_drifters
 from waft.measuring._flights import rms
 from waft.measuring._runs import TRACKS, largest_residual, read_run
@@ -150,7 +151,7 @@ def _measured(runs, given, tracks, air):
     plain, others = others, gliding(others, airs)
     style = _Style(airs, others, fewest, plain)
     rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
-    rows += _marks(runs) + _witnesses(runs, air, plain) + _landing(runs, fewest) + _turning(runs)
+    rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest) + _turning(runs)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -343,6 +344,19 @@ def _marks(runs):
                 steps.ratio(100.0, 99.9), (0.0, 1.5), why=why),
             Row("mark_pushes", f"marks: 90th percentile of |a| {where}", pushes.ratio(90.0, 99.0), (0.0, 1.0), why=why),
             Row("landing_pushes", f"landing: 90th percentile of |a| {where}", landings.ratio(90.0, 99.0), why="nothing lands")]
+
+
+def _approaches(runs, air):
+    """Whether bodies come to a common mark spread out and each its own way, or poured in ropes."""
+    figures = [approach(run, air) for run in runs]
+    own, straight, aligned, free = (np.concatenate([np.array(of_run[k]) for of_run in figures]) for k in range(4))
+    times = f"{FIRST:g} to {LAST:g} s before a common mark"
+    why = f"no {LEAST_BODIES} bodies fly to one mark" if not len(own) else "see each folder" if len(runs) > 1 else "no air.pvd"
+    return [Row("approach_spacing", f"approach: distance to the nearest {times} over straight paths'",
+                _ratio(own.mean(), straight.mean()) if len(own) else UNKNOWN, (0.7, math.inf), why=why),
+            Row("approach_alignment", "approach: alignment of neighbours there over that of free bodies",
+                _ratio(aligned.mean(), free.mean()) if len(free) else UNKNOWN, (-math.inf, 1.5),
+                float(free.mean()) if len(free) else UNKNOWN, why)]
 
 
 class _Beside:
