@@ -16,9 +16,9 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-import waft
-from make_stage_pictures import EYE, OBSTACLE, VORTEX, WIND, Picture, output, tubes
-from waft.render._scenery import lines
+import waft  # noqa: E402
+from make_stage_pictures import EYE, OBSTACLE, VORTEX, WIND, Picture, output, tubes  # noqa: E402
+from waft.render._scenery import lines  # noqa: E402
 
 BOX = (-2.0, 2.0, -2.0, 2.0, 0.0, 4.0)
 FOCUS = (0.0, 0.0, 1.85)

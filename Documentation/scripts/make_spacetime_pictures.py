@@ -22,15 +22,15 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-import waft
-from make_coverage_picture import SAMPLES, add, name_axis
-from make_stage_pictures import AGAINST, GALLERY, VORTEX, WIND, Picture, colored, output, tubes
-from waft.files import table_rows
-from waft.loading import load_plugin
-from waft.loading import set_threads
-from waft.pipeline import Pipeline
-from waft.render._output import grab, write_png
-from waft.render._scenery import lines
+import waft  # noqa: E402
+from make_coverage_picture import SAMPLES, add, name_axis  # noqa: E402
+from make_stage_pictures import AGAINST, GALLERY, VORTEX, WIND, Picture, colored, output, tubes  # noqa: E402
+from waft.files import table_rows  # noqa: E402
+from waft.loading import load_plugin  # noqa: E402
+from waft.loading import set_threads  # noqa: E402
+from waft.pipeline import Pipeline  # noqa: E402
+from waft.render._output import grab, write_png  # noqa: E402
+from waft.render._scenery import lines  # noqa: E402
 
 EYE = (-6.3, -11.2, 6.0)
 FOCUS = (0.0, 0.0, 1.75)

@@ -5,10 +5,11 @@
     check_includes.py ROOT     prints each violation as file:line: reason; exit status 1 when there is one
 
 Rules: nothing under Filters/Core includes VTK; a Core library includes only itself and the libraries it
-is allowed; a library in folders has them on floors, and includes none above; wrappers (Sources, Filters/Motion) include no other wrapper's header but that of an
-abstract base; Bridge includes no wrapper, and its folder Data nothing of its other two, which do not
-include each other; no two headers define a class of one name, for which the linker would take either;
-third-party libraries stay in the Core library that owns them; modules of the
+is allowed; a library in folders has them on floors, and includes none above; wrappers (Sources,
+Filters/Motion) include no other wrapper's header but that of an abstract base; Bridge includes no
+wrapper, and its folder Data nothing of its other two, which do not include each other; no two
+headers define a class of one name, for which the linker would take either; third-party libraries
+stay in the Core library that owns them; modules of the
 Python package import each other in no circle, within functions neither; but for
 the owners of files none of them opens, reads or writes one by itself; those that
 read results take arrays, JSON and tables by the accessors that look at them.
@@ -68,7 +69,8 @@ THIRD_PARTY_OWNERS = {
 FILE_OWNERS = {"beneath", "files", "reading", "renaming", "temporary"}
 FILE_CALLS = {"fdopen", "read_bytes", "read_text", "write_bytes", "write_text", "loadtxt", "genfromtxt", "fromfile", "memmap", "iterparse", "unlink",
               "rmtree", "symlink_to", "hardlink_to", "touch"}
-FILE_MODULES = {"io": {"open"}, "os": {"open", "remove", "removedirs", "rename", "renames", "replace", "link", "symlink", "truncate"}, "json": {"load", "dump"}, "np": {"load"}, "pickle": {"load"}, "ElementTree": {"parse"},
+FILE_MODULES = {"io": {"open"}, "os": {"open", "remove", "removedirs", "rename", "renames", "replace", "link", "symlink", "truncate"},
+                "json": {"load", "dump"}, "np": {"load"}, "pickle": {"load"}, "ElementTree": {"parse"},
                 "Image": {"open"}, "shutil": {"copy", "copy2", "copyfile", "copytree", "move"}}
 # Modules of the package waft that read results, and what the accessors (_arrays, _records, _tables) do for them.
 RESULT_READERS = {"results._folder", "page._pagedata", "measuring._runs", "measuring._airfield", "render._flyers", "results.exporting",

@@ -215,6 +215,7 @@ def _kinds():
         for place, (kind, make) in enumerate(KINDS.items()):
             if (number + place) % 2 and name != "report.json" or (kind == "a folder" and name in (".waft-move", "checkpoint")):
                 continue  # each kind meets half of the names
+
             def change(r, mine, name=name, make=make):
                 path = r / name
                 path.parent.mkdir(exist_ok=True)

@@ -64,7 +64,8 @@ class Assimilated(unittest.TestCase):
     def test_files_are_those_of_an_assimilation(self):
         self.assertEqual((self.out / "optimized.vtp").read_bytes(), (self.out / "assimilated.vtp").read_bytes())
         self.assertEqual((self.out / "convergence.csv").read_text(), "Pass,Stage,Iteration,E,Ex,Ev,Ec,MaxViolation,Leash,Seconds,"
-                         "Clearance,Approach,Contact,Separation,Control,EvObjects,Fields,E2,ShareVortices,ShareWind,ShareGas,ShareDrag,ShareLanding,ShareNone\n")
+                         "Clearance,Approach,Contact,Separation,Control,EvObjects,Fields,E2,"
+                         "ShareVortices,ShareWind,ShareGas,ShareDrag,ShareLanding,ShareNone\n")
         images = sorted(path.name for path in (self.out / "air").iterdir())  # every tenth of a second at 30 frames, and the last
         self.assertEqual(images, [f"air_{frame:04d}.vti" for frame in (*range(0, 45, 3), 44)])
         self.assertFalse((self.out / "wind.pvd").exists())

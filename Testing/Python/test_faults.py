@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 import waft
-from waft.database import database_place, settle_database
+from waft.database import settle_database
 from waft.results import manifest_of, read_manifest
 from waft.resuming import Checkpoint
 from waft.writing import result_place, write_results

@@ -188,7 +188,8 @@ class Info(unittest.TestCase):
                 self.assertIn(part, document["error"])
                 self.assertIn(part, self.ask(self.folder / place, status=2)[1])
         for wrong in ({"version": 1}, {"time": 5}, {"time": {"frames": 1, "framesPerSecond": 0}}, {"defaults": {"threads": 3}},
-                      {"warnings": "x"}, {"constraints": {"met": 1, "unmet": [{"Row": "x"}]}}, {"constraints": {"unmet": [5]}}, {"manifest": [{"name": "../x"}]},
+                      {"warnings": "x"}, {"constraints": {"met": 1, "unmet": [{"Row": "x"}]}}, {"constraints": {"unmet": [5]}},
+                      {"manifest": [{"name": "../x"}]},
                       {"stages": {"planner": {"seconds": "1"}}}, {"objects": 3}, {"without": [1]}, {"stopped": []}, {"title": 7}):
             with self.subTest(wrong):
                 self.result(**wrong)

@@ -262,8 +262,8 @@ class MemoryTest(unittest.TestCase):
                                       ("Planner: expected an input that fits into memory, found one beyond any", waft.BadInput, 2)):
             pipeline = Pipeline.__new__(Pipeline)
             pipeline.database, pipeline.planner = None, SimpleNamespace(UpdatePipeline=lambda: None)
-            pipeline.watches = {"planner": SimpleNamespace(clock=mock.Mock(), errors=[message], was_aborted=False, seconds=0.0,
-                                                            processor_seconds=0.0, peak_mb=0.0)}
+            pipeline.watches = {"planner": SimpleNamespace(clock=mock.Mock(), errors=[message], was_aborted=False,
+                                                           seconds=0.0, processor_seconds=0.0, peak_mb=0.0)}
             with self.assertRaises(waft.WaftError) as raised:
                 pipeline.update("planner")
             self.assertIs(kind, type(raised.exception))

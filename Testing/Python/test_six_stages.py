@@ -17,7 +17,6 @@ import unittest
 from unittest import mock
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import six_stages_small

@@ -13,7 +13,6 @@ import tempfile
 import time
 import unittest
 
-import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

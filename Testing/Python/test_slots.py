@@ -253,8 +253,8 @@ class SlotsOfActions(unittest.TestCase):
     def test_strips_count_by_their_slots(self):
         shared = Action({("OBJECT", "One"): ["location"], ("OBJECT", "Other"): ["delta_location"]})
         leaf = thing("One")
-        leaf.animation_data.nla_tracks = [types.SimpleNamespace(mute=False, strips=[AnimData(shared, shared.slots[0]), AnimData(shared),
-                                                                                   AnimData()])]
+        strips = [AnimData(shared, shared.slots[0]), AnimData(shared), AnimData()]
+        leaf.animation_data.nla_tracks = [types.SimpleNamespace(mute=False, strips=strips)]
         self.assertEqual({"location"}, self.curves.nla_paths(leaf))
 
 

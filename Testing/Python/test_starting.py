@@ -132,7 +132,8 @@ class StartingTest(unittest.TestCase):
     def test_check_tells_what_is_hard(self):
         self.check(0, "hard: too fast: row 0 target 0: object 0 has 1 s for", " m to its mark at frame 30, ", " frames) or more",
                    "waft: row N is entry N of `constraints`", constraints=[position(0, 30, [0.6, -0.5, 2.0])])
-        self.check(0, "hard: no time to fall: row 0", " s to its rest at frame 45; ", " frames) or more", constraints=[{"kind": "rest", "object": 0, "frame": 45, "value": [-1, -0.5, 1]}])
+        self.check(0, "hard: no time to fall: row 0", " s to its rest at frame 45; ", " frames) or more",
+                   constraints=[{"kind": "rest", "object": 0, "frame": 45, "value": [-1, -0.5, 1]}])
         self.check(0, "hard: too near: 1 pairs of the 2 marks at frame 60",
                    constraints=[position(0, 60, [-0.9, 0.0, 2]), position(1, 60, [-0.9, 0.02, 2])])
         self.check(0, "hard: too narrow: obstacles 0 and 1 are 0.05 m apart",

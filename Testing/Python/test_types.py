@@ -65,6 +65,13 @@ class Types(unittest.TestCase):
         done = self.mypy("-p", "waft")
         self.assertEqual(0, done.returncode, done.stdout)
 
+    def test_of_how_it_is_written(self):
+        if shutil.which("flake8") is None:
+            self.skipTest("flake8 was not found")
+        done = subprocess.run(["flake8", "Plugin", "Testing", "Documentation", "CMake", "Data"], cwd=pathlib.Path(MODULES).resolve().parents[1],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual("", done.stdout + done.stderr)
+
     def test_of_what_a_user_writes(self):
         path = self.folder / "script.py"
         path.write_text(SCRIPT + "".join(f"{line}\n" for line in WRONG), encoding="utf-8")

@@ -228,7 +228,7 @@ def snow_name():
 
 
 def bubbles_curve():
-    spacing, rate, speed = 0.02, 30.0, 0.45
+    rate, speed = 30.0, 0.45
 
     def curve(t):
         """Up in a spiral that opens, in metres, t from 0 to 1."""

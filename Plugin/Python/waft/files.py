@@ -94,8 +94,8 @@ def write_json(path, content):
 
 def write_xml(data, path, packs_well=False):
     """A VTK data set in its XML format, compressed, in base64; of a vtkMultiBlockDataSet each block has a file in a folder of the
-    name. packs_well: by LZMA, which makes three quarters of what is rounded. Raises OSError when it could not be written: VTK's writers end the process where the disk is full, so that they write to
-    memory here."""
+    name. packs_well: by LZMA, which makes three quarters of what is rounded. Raises OSError when it could not be written: VTK's
+    writers end the process where the disk is full, so that they write to memory here."""
     path = pathlib.Path(path)
     content = _blocks_text(data, path) if path.suffix == ".vtm" else _xml_text(data, packs_well)
     try:

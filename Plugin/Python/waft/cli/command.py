@@ -190,8 +190,8 @@ def parser() -> argparse.ArgumentParser:
 
     begin = commands.add_parser("new", help="a first scene, to change by hand", epilog=NEW_EXIT)
     begin.add_argument("scene", type=path, metavar="FILE.waft.json", help="is written; what is there is never overwritten")
-    begin.add_argument("--text", action="append", default=[], metavar="TEXT", help="a word that bodies form; repeatable, one after the "
-                                                                               "other; default WAFT")
+    begin.add_argument("--text", action="append", default=[], metavar="TEXT",
+                       help="a word that bodies form; repeatable, one after the other; default WAFT")
     begin.add_argument("--image", type=path, action="append", default=[], metavar="FILE", help="a picture that they form; repeatable")
     begin.add_argument("--path", type=path, action="append", default=[], metavar="CSV",
                        help="a curve that one more body follows, rows x,y,z in metres; repeatable")
@@ -276,8 +276,8 @@ def parser() -> argparse.ArgumentParser:
     judge.add_argument("folders", type=path, nargs="*", metavar="DIR", help="what synthesize wrote; several are pooled, too")
     judge.add_argument("--tracks", choices=("optimized", "assimilated", "planned", "poses"), default="optimized",
                        help="the motion, DIR/TRACKS.vtp; default optimized")
-    judge.add_argument("--json", type=path, nargs="?", const="-", metavar="FILE", help="the rows as JSON; without FILE on stdout, "
-                                                                                      "instead of the table")
+    judge.add_argument("--json", type=path, nargs="?", const="-", metavar="FILE",
+                       help="the rows as JSON; without FILE on stdout, instead of the table")
     judge.add_argument("--plots", type=path, metavar="FOLDER", help="a picture of each beside the drifters'; needs matplotlib")
     judge.add_argument("--drifters", type=path, metavar="FILE", help="the bodies in free air to measure by (default: those that "
                                                                      "come with Waft)")
@@ -452,10 +452,10 @@ def run_render(options):
     drawn = []
     with interruptible("stopped: the pictures that were drawn are whole"):
         written = render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
-               obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=not options.no_marks,
-               style=options.style, loop=options.loop, shutter=options.shutter, aperture=options.aperture,
-               subframes=options.subframes, sheet=options.sheet, jobs=options.jobs,
-               progress=lambda done, text: drawn.append(text))
+                         obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=not options.no_marks,
+                         style=options.style, loop=options.loop, shutter=options.shutter, aperture=options.aperture,
+                         subframes=options.subframes, sheet=options.sheet, jobs=options.jobs,
+                         progress=lambda done, text: drawn.append(text))
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     options.answer.update(folder=options.folder, files=[os.path.relpath(file, options.folder) for file in written],

@@ -7,7 +7,7 @@ import json
 import os
 import pathlib
 import tomllib
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, Optional
 
 from waft.failures import BadInput
 from waft.reading import read_text

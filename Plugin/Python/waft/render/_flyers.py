@@ -257,7 +257,7 @@ class Trails:
         self._actor.SetVisibility(count > 1)
         if count < 2:
             return
-        points = self._motion.positions[:, first : frame + 1, :].reshape(-1, 3)
+        points = self._motion.positions[:, first:frame + 1, :].reshape(-1, 3)
         objects = len(self._motion.positions)
         order = np.arange(objects * count).reshape(objects, count)
         data = lines(points, order)

@@ -2,8 +2,6 @@
 """What a folder of results holds, from its own records: `waft info DIR`. Nothing of it is changed."""
 import contextlib
 import fcntl
-import os
-import pathlib
 
 from waft.failures import BadInput
 from waft.results._records import TOLD, record_of
