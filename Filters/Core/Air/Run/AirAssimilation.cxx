@@ -21,7 +21,7 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
-constexpr int MorePasses = 1;           // of turning, after the last air
+constexpr double Astray = 60.0;         // degrees, of a body that turns anew in the last air
 constexpr double EnoughControl = 0.065; // of the flow at the bodies
 
 void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
@@ -42,27 +42,6 @@ Result FirstDrift(const AirContext& run, AirState& state, AssimilationOutput& ou
                   state.Bodies, monitor);
   output.Rounds.push_back(RoundOf(run, state, "drift"));
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
-}
-
-// Who turns otherwise in the air as it has become does so, and drifts on from there.
-Result TurnDisagreeing(const AirContext& run, AirState& state)
-{
-  std::vector<char> which;
-  for (int pass = 0; pass < MorePasses; ++pass)
-  {
-    const Result found = FindDisagreeing(run, state.Sampled.Velocity, state.Bodies, which);
-    if (!found || found.IsStopped() || std::find(which.begin(), which.end(), 1) == which.end())
-    {
-      return found;
-    }
-    const Result turned =
-      TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations, which, state.Bodies);
-    if (!turned || turned.IsStopped())
-    {
-      return turned;
-    }
-  }
-  return Result::Ok();
 }
 
 // What an edit changed, in the air that it leaves.
@@ -139,7 +118,9 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
                           state.Bodies);
     WAFT_RETURN_IF_FAILED(result);
   }
-  return result.IsStopped() ? result : TurnDisagreeing(run, state);
+  return result.IsStopped()
+           ? result
+           : TurnDisagreeing(run, state.Sampled.Velocity, FurtherIterations, Astray, state.Bodies);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "Air/Run/BodyDrift.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -12,7 +13,6 @@ namespace waft
 namespace
 {
 
-constexpr double Beyond = 60.0; // degrees, of a body's mean
 constexpr const char* TurningText = "Turning the objects in the air";
 
 struct Turning
@@ -125,17 +125,15 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
   return DriftOn(run, air, iterations, bodies, drifting) ? Result::Ok() : Result::Stopped();
 }
 
-Result FindDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies,
-                       std::vector<char>& which)
+Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, int iterations, double degrees,
+                       AirBodies& bodies)
 {
-  const std::vector<char> all(bodies.Size(), 1);
-  which.assign(bodies.Size(), 0);
   if (bodies.Poses.empty())
   {
     return Result::Ok();
   }
   Turning turning;
-  WAFT_RETURN_IF_FAILED(SetUp(run, air, all, true, bodies, turning));
+  WAFT_RETURN_IF_FAILED(SetUp(run, air, Everybody(bodies), true, bodies, turning));
   PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
   RotationOutput turned;
   const Result result = turning.Which.empty() ? Result::Ok()
@@ -145,14 +143,19 @@ Result FindDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& 
   {
     return result;
   }
-  const double most = Beyond * std::acos(-1.0) / 180.0;
+  std::vector<char> which(bodies.Size(), 0);
+  const double most = degrees * std::acos(-1.0) / 180.0;
   for (std::size_t i = 0; i < turning.Which.size(); ++i)
   {
     const std::vector<double>& away = turned.Away[i];
     const double sum = std::accumulate(away.begin(), away.end(), 0.0);
     which[turning.Which[i]] = sum > most * static_cast<double>(away.size()) ? 1 : 0;
   }
-  return Result::Ok();
+  if (std::find(which.begin(), which.end(), 1) == which.end())
+  {
+    return Result::Ok();
+  }
+  return TurnAndDrift(run, air, iterations, which, bodies);
 }
 
 } // namespace waft

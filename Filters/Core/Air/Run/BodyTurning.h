@@ -24,9 +24,10 @@ inline std::vector<char> Everybody(const AirBodies& bodies)
 Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations,
                     const std::vector<char>& which, AirBodies& bodies);
 
-/// Those whose poses are not what the air as it has become makes of them (Rotation/Agreement.h). An
-/// edit asks no body that it leaves as it was.
-Result FindDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies,
-                       std::vector<char>& which);
+/// TurnAndDrift for those whose poses are not what the air as it has become makes of them: whose
+/// mean Agreement (Rotation/Agreement.h) is beyond these degrees. An edit asks no body that it
+/// leaves as it was.
+Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, int iterations, double degrees,
+                       AirBodies& bodies);
 
 } // namespace waft
