@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace waft;
 
@@ -106,6 +107,48 @@ TEST(BodyProblem, FallsBackOnThePlanBroughtToItsTouchDown)
   }
   const double hastening = double(LiesAt) / ComesDownAt;
   EXPECT_LT(LongestStep(path), 1.5 * hastening * LongestStep(scene.Plan));
+}
+
+/// Where the window of a landing opens the step before still asks for all of the radius, to its
+/// end: a drift that dived there was pushed by nothing, and its end was the plan's path, in a
+/// second.
+TEST(BodyProblem, AsksForItsRadiusOnTheWholeStepToALanding)
+{
+  const BehindAWall scene;
+  const DriftScene around{ scene.Scene, scene.Obstacles, false };
+  BodyProblem body(around, scene.Object, scene.Plan, { scene.Row });
+  FieldSeries still;
+  still.Meaning = FieldMeaning::Velocity;
+  still.Dimensions = { 2, 2, 2 };
+  still.Origin = Vec3(-2.0, -2.0, 0.0);
+  still.Spacing = Vec3::Constant(4.0);
+  for (int f = 0; f < Frames; ++f)
+  {
+    still.Times.push_back(scene.Scene.Time.Time(f));
+    still.Values.emplace_back(8, std::array<float, 3>{});
+  }
+  const HalfSeries air(still);
+  const DriftProblem problem = body.In(AirSampler(air));
+  const int opens = LiesAt - 30;
+  const Vec3 low(-1.5, 0.0, 0.5 * scene.Object.ClearanceRadius);
+  const auto depths = [&](int frame)
+  {
+    std::vector<DriftDepth> found;
+    problem.TooNear(frame, low, found);
+    return found.size();
+  };
+  EXPECT_GT(depths(opens), 0u);
+  EXPECT_EQ(depths(opens + 1), 0u);
+  const auto dives = [&](int frame)
+  {
+    std::vector<Vec3> path = scene.Plan;
+    for (int f = frame; f < frame + 3; ++f)
+    {
+      path[static_cast<std::size_t>(f)].z() = low.z();
+    }
+    return path;
+  };
+  EXPECT_TRUE(body.IsClear(dives(opens + 1)));
 }
 
 TEST(BodyProblem, CountsTheStepsThatItFlies)

@@ -92,9 +92,24 @@ DriftProblem BodyProblem::In(const AirSampler& air) const
   return problem;
 }
 
+// On the steps to a frame and from it: while it comes into a landing's window or leaves it, all of
+// the radius.
+Clearance BodyProblem::AskedAt(int frame) const
+{
+  for (const double beside : { frame - 0.5, frame + 0.5 })
+  {
+    const Clearance asked = RequiredClearance(this->Body, this->Landings, beside);
+    if (asked.Exempt < 0)
+    {
+      return asked;
+    }
+  }
+  return RequiredClearance(this->Body, this->Landings, frame);
+}
+
 void BodyProblem::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const
 {
-  const Clearance asked = RequiredClearance(this->Body, this->Landings, frame);
+  const Clearance asked = this->AskedAt(frame);
   const double radius = asked.Radius + BarrierMargin;
   const Box& volume = this->World.Scene.Bounds;
   const auto push = [&](const Vec3& normal, double depth)
@@ -238,7 +253,7 @@ void BodyProblem::CloseBarrierGaps(std::vector<Vec3>& path) const
       continue;
     }
     const auto frame = static_cast<double>(f);
-    const Clearance asked = RequiredClearance(this->Body, this->Landings, frame);
+    const Clearance asked = this->AskedAt(static_cast<int>(f));
     const bool lands = asked.Exempt >= 0;
     const Vec3 low = Vec3::Constant(asked.Radius);
     path[f] =

@@ -111,6 +111,7 @@ private:
   void FixFrames();
   void AddRows();
   void AddDifference(const Constraint& row);
+  Clearance AskedAt(int frame) const;
   void CloseBarrierGaps(std::vector<Vec3>& path) const;
   void MeetRows(std::vector<Vec3>& path) const;
   void TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const;

@@ -21,8 +21,7 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
-constexpr double Astray = 60.0;         // degrees, of a body that turns anew in the last air
-constexpr double EnoughControl = 0.065; // of the flow at the bodies
+constexpr double Astray = 60.0; // degrees, of a body that turns anew in the last air
 
 void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
 {
@@ -118,9 +117,8 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
                           state.Bodies);
     WAFT_RETURN_IF_FAILED(result);
   }
-  return result.IsStopped()
-           ? result
-           : TurnDisagreeing(run, state.Sampled.Velocity, FurtherIterations, Astray, state.Bodies);
+  return result.IsStopped() ? result
+                            : TurnAstray(run, state.Sampled.Velocity, Astray, state.Bodies);
 }
 
 } // namespace

@@ -91,10 +91,10 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
     const bool isFirst = k == 0 && state.Bodies.Poses.empty();
     if (isFirst || (k == again && run.Options.Rounds > 0))
     {
-      const Result turned = isFirst ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
-                                                   Everybody(state.Bodies), state.Bodies)
-                                    : TurnDisagreeing(run, state.Sampled.Velocity,
-                                                      FurtherIterations, Disagreeing, state.Bodies);
+      const Result turned =
+        isFirst ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
+                               Everybody(state.Bodies), state.Bodies)
+                : TurnDisagreeing(run, state.Sampled.Velocity, Disagreeing, state.Bodies);
       if (!turned || turned.IsStopped())
       {
         state.Sampled.Velocity = plain;

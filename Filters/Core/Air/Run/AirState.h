@@ -46,6 +46,8 @@ struct AirState
   AirBodies Bodies;
 };
 
+/// Of the flow at the bodies: what an air may leave to their control.
+inline constexpr double EnoughControl = 0.065;
 /// In which a body that has touched the ground tips over and comes to lie [s].
 inline constexpr double SettlingTime = 0.4;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/BodyTurning.h"
 
+#include "Air/Drift/DriftSearch.h"
+#include "Air/Drift/ResidualControl.h"
 #include "Air/Run/BodyDrift.h"
 
 #include <algorithm>
@@ -65,6 +67,41 @@ RotationOptions OptionsOf(const AirContext& run)
   return options;
 }
 
+// Whose mean agreement is beyond these degrees.
+Result FindDisagreeing(const AirContext& run, const HalfSeries& air, double degrees,
+                       AirBodies& bodies, std::vector<char>& which)
+{
+  which.assign(bodies.Size(), 0);
+  if (bodies.Poses.empty())
+  {
+    return Result::Ok();
+  }
+  Turning turning;
+  WAFT_RETURN_IF_FAILED(SetUp(run, air, Everybody(bodies), true, bodies, turning));
+  PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
+  RotationOutput turned;
+  const Result result = turning.Which.empty() ? Result::Ok()
+                                              : RunRotationRefine(turning.Input, OptionsOf(run),
+                                                                  run.Parallel, monitor, turned);
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  const double most = degrees * std::acos(-1.0) / 180.0;
+  for (std::size_t i = 0; i < turning.Which.size(); ++i)
+  {
+    const std::vector<double>& away = turned.Away[i];
+    const double sum = std::accumulate(away.begin(), away.end(), 0.0);
+    which[turning.Which[i]] = sum > most * static_cast<double>(away.size()) ? 1 : 0;
+  }
+  return Result::Ok();
+}
+
+bool IsNobody(const std::vector<char>& which)
+{
+  return std::find(which.begin(), which.end(), 1) == which.end();
+}
+
 } // namespace
 
 FieldSeries FieldAt(const HalfSeries& air, double time)
@@ -125,37 +162,50 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
   return DriftOn(run, air, iterations, bodies, drifting) ? Result::Ok() : Result::Stopped();
 }
 
-Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, int iterations, double degrees,
+Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, double degrees,
                        AirBodies& bodies)
 {
-  if (bodies.Poses.empty())
+  std::vector<char> which;
+  const Result found = FindDisagreeing(run, air, degrees, bodies, which);
+  return IsNobody(which) ? found : TurnAndDrift(run, air, FurtherIterations, which, bodies);
+}
+
+Result TurnAstray(const AirContext& run, const HalfSeries& air, double degrees, AirBodies& bodies)
+{
+  std::vector<char> which;
+  const Result found = FindDisagreeing(run, air, degrees, bodies, which);
+  if (IsNobody(which))
   {
-    return Result::Ok();
+    return found;
   }
-  Turning turning;
-  WAFT_RETURN_IF_FAILED(SetUp(run, air, Everybody(bodies), true, bodies, turning));
-  PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
-  RotationOutput turned;
-  const Result result = turning.Which.empty() ? Result::Ok()
-                                              : RunRotationRefine(turning.Input, OptionsOf(run),
-                                                                  run.Parallel, monitor, turned);
-  if (!result || result.IsStopped())
+  const AirSampler sampler(air);
+  const auto shares = [&]
   {
-    return result;
-  }
-  std::vector<char> which(bodies.Size(), 0);
-  const double most = degrees * std::acos(-1.0) / 180.0;
-  for (std::size_t i = 0; i < turning.Which.size(); ++i)
+    std::vector<double> found;
+    for (std::size_t o = 0; o < bodies.Size(); ++o)
+    {
+      const ResidualControl residual =
+        ResidualControlOf(bodies.Problems[o], sampler, bodies.Paths[o]);
+      found.push_back(residual.Rms(residual.Control) /
+                      std::max(residual.Rms(residual.Flow), 1e-12));
+    }
+    return found;
+  };
+  const std::vector<std::vector<Vec3>> paths = bodies.Paths;
+  const std::vector<PoseTrack> poses = bodies.Poses;
+  const std::vector<double> before = shares();
+  const Result turned = TurnAndDrift(run, air, DriftIterations, which, bodies);
+  const std::vector<double> after = shares();
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    const std::vector<double>& away = turned.Away[i];
-    const double sum = std::accumulate(away.begin(), away.end(), 0.0);
-    which[turning.Which[i]] = sum > most * static_cast<double>(away.size()) ? 1 : 0;
+    if (which[o] && !bodies.IsKept(o) && after[o] > std::max(EnoughControl, before[o]))
+    {
+      bodies.Paths[o] = paths[o];
+      bodies.Poses[o] = poses[o];
+      bodies.Problems[o].SetSlips(poses[o].Slips);
+    }
   }
-  if (std::find(which.begin(), which.end(), 1) == which.end())
-  {
-    return Result::Ok();
-  }
-  return TurnAndDrift(run, air, iterations, which, bodies);
+  return turned;
 }
 
 } // namespace waft

@@ -27,7 +27,10 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
 /// TurnAndDrift for those whose poses are not what the air as it has become makes of them: whose
 /// mean Agreement (Rotation/Agreement.h) is beyond these degrees. An edit asks no body that it
 /// leaves as it was.
-Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, int iterations, double degrees,
+Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, double degrees,
                        AirBodies& bodies);
+/// The same in an air that becomes no other: who would need more control for it, and more than an
+/// air may leave (EnoughControl), keeps its poses and its path.
+Result TurnAstray(const AirContext& run, const HalfSeries& air, double degrees, AirBodies& bodies);
 
 } // namespace waft
