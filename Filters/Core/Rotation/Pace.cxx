@@ -11,7 +11,7 @@ namespace waft
 namespace
 {
 const double Degree = std::acos(-1.0) / 180.0;
-const double FollowedRate = 19.0 * 30.0 * Degree; // rad/s, of steady tumbling
+const double FollowedRate = 20.0 * 30.0 * Degree; // rad/s, of steady tumbling
 const double FastestRate = 40.0 * 30.0 * Degree;  // rad/s, of gusts and flutter besides
 constexpr double TipRatio = 0.8;                  // of the flight's speed: Iversen's, long spans
 } // namespace

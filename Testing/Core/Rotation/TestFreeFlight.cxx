@@ -165,7 +165,7 @@ TEST(FreeFlight, KnobsDoWhatTheySay)
   const double right = turned(Refine(flat, options).Poses[0], 2, 0);
   options.Spin = -0.1;
   const double left = turned(Refine(flat, options).Poses[0], 2, 0);
-  EXPECT_GT(std::abs(right), 5.0);
+  EXPECT_GT(std::abs(right), 4.5); // on the slower clock of its width
   // The diagonals of its cells are no mirror image of themselves: 1.2e-4.
   EXPECT_NEAR(right, -left, 1e-3 * std::abs(right));
   // A shape's own damping adds to the stage's.
