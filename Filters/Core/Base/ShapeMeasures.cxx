@@ -12,7 +12,16 @@ namespace
 constexpr double LightestSolid = 0.01; // kg/m^2
 constexpr double FilmOpacity = 0.35;
 
-/// Has each edge two triangles?
+/// Has it no area, but for what single precision cannot tell from none?
+bool HasNoArea(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  constexpr double thinnest = 1e-6; // height in parts of the longest side
+  const double longest =
+    std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
+  return (b - a).cross(c - a).norm() <= thinnest * longest;
+}
+} // namespace
+
 bool IsClosed(const TriangleMesh& mesh)
 {
   std::map<std::pair<int, int>, int> sides;
@@ -26,16 +35,6 @@ bool IsClosed(const TriangleMesh& mesh)
   return !sides.empty() &&
          std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 2; });
 }
-
-/// Has it no area, but for what single precision cannot tell from none?
-bool HasNoArea(const Vec3& a, const Vec3& b, const Vec3& c)
-{
-  constexpr double thinnest = 1e-6; // height in parts of the longest side
-  const double longest =
-    std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
-  return (b - a).cross(c - a).norm() <= thinnest * longest;
-}
-} // namespace
 
 double SurfaceArea(const TriangleMesh& mesh)
 {

@@ -9,6 +9,9 @@
 namespace waft
 {
 
+/// Whether each edge has two triangles.
+bool IsClosed(const TriangleMesh& mesh);
+
 /// Sum of the areas of the triangles [m^2].
 double SurfaceArea(const TriangleMesh& mesh);
 

@@ -12,6 +12,7 @@
 #endif
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/intersections.h>
 
 #include <numeric>
 
@@ -97,6 +98,14 @@ bool SegmentMeetsBox(const Vec3& p, const Vec3& d, double radius, const CGAL::Bb
     last = std::min(last, std::max(t0, t1));
   }
   return first <= last + 1e-12;
+}
+
+template <class Bounds>
+bool BoxesMeet(const Box& box, const Bounds& other)
+{
+  return box.Min.x() <= other.xmax() && box.Max.x() >= other.xmin() &&
+         box.Min.y() <= other.ymax() && box.Max.y() >= other.ymin() &&
+         box.Min.z() <= other.zmax() && box.Max.z() >= other.zmin();
 }
 
 /// Sign of the area of (a, b, p) in the plane z = 0, p shifted by (e, e^2), e infinitesimal.
@@ -192,6 +201,24 @@ struct SweepVisitor
 };
 
 template <class Surface>
+struct BoxVisitor
+{
+  const Surface& S;
+  std::vector<int>& Found;
+
+  bool go_further() const { return true; }
+  void intersection(const Box& box, const Primitive& primitive)
+  {
+    const int t = this->S.Index(primitive);
+    if (BoxesMeet(box, primitive.datum(&this->S.Mesh).bbox()))
+    {
+      this->Found.push_back(t);
+    }
+  }
+  bool do_intersect(const Box& box, const Node& node) const { return BoxesMeet(box, node.bbox()); }
+};
+
+template <class Surface>
 struct VerticalVisitor
 {
   const Surface& S;
@@ -227,6 +254,16 @@ struct VerticalVisitor
 };
 
 } // namespace
+
+bool TrianglesMeet(const TriangleCorners& a, const TriangleCorners& b)
+{
+  const auto triangle = [](const TriangleCorners& corners)
+  {
+    const auto point = [](const Vec3& p) { return Exact::Point_3(p.x(), p.y(), p.z()); };
+    return Exact::Triangle_3(point(corners[0]), point(corners[1]), point(corners[2]));
+  };
+  return CGAL::do_intersect(triangle(a), triangle(b));
+}
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : Impl(std::make_unique<Internals>())
 {
@@ -284,6 +321,12 @@ bool TriangleTree::IsSegmentNear(const Vec3& a, const Vec3& b, double radius) co
   SweepVisitor<Internals> visitor{ *this->Impl, a, b, b - a, radius };
   this->Impl->AABB.traversal(a, visitor);
   return visitor.Found;
+}
+
+void TriangleTree::AddInBox(const Box& box, std::vector<int>& triangles) const
+{
+  BoxVisitor<Internals> visitor{ *this->Impl, triangles };
+  this->Impl->AABB.traversal(box, visitor);
 }
 
 std::vector<VerticalCrossing> TriangleTree::Crossings(double x, double y) const

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One closed triangle surface in a CGAL AABB tree: closest point, swept ball, vertical line.
+// One triangle surface in a CGAL AABB tree: closest point, swept ball, box, vertical line.
 #pragma once
 
 #include "Base/Mesh.h"
 #include "Base/Types.h"
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -20,11 +21,17 @@ struct VerticalCrossing
   bool Upwards = false; // the triangle faces upwards: going up, the line leaves the solid here
 };
 
+using TriangleCorners = std::array<Vec3, 3>;
+
+/// Whether two triangles have a point in common, by exact predicates.
+bool TrianglesMeet(const TriangleCorners& a, const TriangleCorners& b);
+
 /// Queries are const and may run from many threads at once.
 class TriangleTree
 {
 public:
-  /// The surface must be closed and consistently oriented (RepairSurface).
+  /// For Crossings and IsInside the surface must be closed and consistently oriented
+  /// (RepairSurface).
   explicit TriangleTree(const TriangleMesh& mesh);
   ~TriangleTree();
   TriangleTree(TriangleTree&&) noexcept;
@@ -46,6 +53,9 @@ public:
 
   /// True when some point of the segment a b is nearer than radius to the surface, or crosses it.
   bool IsSegmentNear(const Vec3& a, const Vec3& b, double radius) const;
+
+  /// Adds the triangles whose boxes meet a box, in the order of the tree.
+  void AddInBox(const Box& box, std::vector<int>& triangles) const;
 
   /// All crossings of the vertical line through (x, y), from below to above. Which triangles are
   /// crossed is decided exactly (the line is shifted by an infinitesimal, so that it never meets an

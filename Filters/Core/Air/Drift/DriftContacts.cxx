@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Drift/DriftContacts.h"
 
+#include "Base/NearPairs.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace waft
@@ -35,36 +36,28 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
   parallel(frames,
            [&](std::size_t begin, std::size_t end)
            {
-             std::vector<std::size_t> order(count);
+             std::vector<Vec3> places(count);
              for (std::size_t f = begin; f < end; ++f)
              {
-               // Swept along x.
-               std::iota(order.begin(), order.end(), std::size_t(0));
-               std::sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) {
-                           return paths[a][f].x() != paths[b][f].x()
-                                    ? paths[a][f].x() < paths[b][f].x()
-                                    : a < b;
-                         });
-               for (std::size_t i = 0; i < count; ++i)
+               for (std::size_t o = 0; o < count; ++o)
                {
-                 for (std::size_t j = i + 1;
-                      j < count && paths[order[j]][f].x() - paths[order[i]][f].x() <= reach; ++j)
+                 places[o] = paths[o][f];
+               }
+               const auto look = [&](std::size_t a, std::size_t b)
+               {
+                 const double apart = (places[a] - places[b]).norm();
+                 const double more = margin * kept.Needed(a, b);
+                 if (apart < kept.Needed(a, b) + more)
                  {
-                   const auto [a, b] = std::minmax(order[i], order[j]);
-                   const double apart = (paths[a][f] - paths[b][f]).norm();
-                   const double more = margin * kept.Needed(a, b);
-                   if (apart < kept.Needed(a, b) + more)
+                   const auto frame = static_cast<int>(f);
+                   const double distance = kept.At(frame, a, b);
+                   if (apart < distance + more)
                    {
-                     const auto frame = static_cast<int>(f);
-                     const double distance = kept.At(frame, a, b);
-                     if (apart < distance + more)
-                     {
-                       byFrame[f].push_back({ frame, a, b, distance });
-                     }
+                     byFrame[f].push_back({ frame, a, b, distance });
                    }
                  }
-               }
+               };
+               SweepPairs(places, reach, look);
                std::sort(byFrame[f].begin(), byFrame[f].end(),
                          [](const DriftContact& one, const DriftContact& other)
                          { return std::tie(one.A, one.B) < std::tie(other.A, other.B); });

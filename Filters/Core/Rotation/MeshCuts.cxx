@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rotation/MeshCuts.h"
+
+#include "Base/NearPairs.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace waft
+{
+namespace
+{
+
+/// The first frame at which a row holds its body.
+int FirstHeld(const Constraint& row)
+{
+  return IsRest(row.Kind) && row.TouchDown >= 0 ? row.TouchDown : row.Frame;
+}
+
+bool StandsStill(const PosedMotion& motion, std::size_t track, std::size_t frame)
+{
+  const std::vector<Vec3>& path = (*motion.Tracks)[track].Positions;
+  const std::vector<Quat>& poses = (*motion.Poses)[track].Orientations;
+  return frame > 0 && path[frame] == path[frame - 1] &&
+         poses[frame].coeffs() == poses[frame - 1].coeffs();
+}
+
+} // namespace
+
+std::vector<ContactMesh> ContactMeshesOf(const std::vector<Shape>& shapes)
+{
+  std::vector<ContactMesh> meshes;
+  meshes.reserve(shapes.size());
+  for (const Shape& shape : shapes)
+  {
+    meshes.emplace_back(shape.Mesh);
+  }
+  return meshes;
+}
+
+KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& rows,
+                     double framesPerSecond)
+{
+  KeptDistances kept(framesPerSecond);
+  const int frames = static_cast<int>(motion.NumberOfFrames());
+  for (std::size_t i = 0; i < motion.Tracks->size(); ++i)
+  {
+    const MotionObject& object = *motion.Objects[i];
+    const std::vector<Vec3>& path = (*motion.Tracks)[i].Positions;
+    std::vector<HeldMark> marks;
+    marks.push_back({ 0, path.front(), 0.0 });
+    for (const Constraint& row : rows)
+    {
+      if (row.ObjectId != object.ObjectId || row.Status != ConstraintStatus::Met ||
+          !IsPositional(row.Kind))
+      {
+        continue;
+      }
+      const int last = std::min(LastFrame(row), frames - 1);
+      for (int f = std::max(FirstHeld(row), 0); f <= last; ++f)
+      {
+        marks.push_back(
+          { f, IsRest(row.Kind) ? path[static_cast<std::size_t>(f)] : row.Value, RadiusOf(row) });
+      }
+    }
+    kept.AddBody(object.ClearanceRadius, object.SettlingSpeed, frames, std::move(marks));
+  }
+  return kept;
+}
+
+std::vector<MeshCut> FindMeshCuts(const PosedMotion& motion, const KeptDistances& kept,
+                                  double depth, const ParallelFor& parallel)
+{
+  double reach = 0.0;
+  for (std::size_t i = 0; i < motion.Tracks->size(); ++i)
+  {
+    reach = std::max(reach, 2.0 * motion.MeshOf(i).Radius());
+  }
+  std::vector<std::vector<MeshCut>> byFrame(motion.NumberOfFrames());
+  parallel(byFrame.size(),
+           [&](std::size_t begin, std::size_t end)
+           {
+             MeshPair pair;
+             std::vector<Vec3> places(motion.Tracks->size());
+             for (std::size_t f = begin; f < end; ++f)
+             {
+               for (std::size_t i = 0; i < places.size(); ++i)
+               {
+                 places[i] = (*motion.Tracks)[i].Positions[f];
+               }
+               const auto look = [&](std::size_t a, std::size_t b)
+               {
+                 const ContactMesh& one = motion.MeshOf(a);
+                 const ContactMesh& other = motion.MeshOf(b);
+                 if ((places[a] - places[b]).norm() > one.Radius() + other.Radius() ||
+                     (StandsStill(motion, a, f) && StandsStill(motion, b, f)))
+                 {
+                   return;
+                 }
+                 const double most = depth * std::min(one.Length(), other.Length());
+                 pair.Place(motion.At(a, f), motion.At(b, f), most);
+                 if (depth > 0.0 ? pair.IsDeeper(most) : pair.Cut())
+                 {
+                   const int frame = static_cast<int>(f);
+                   byFrame[f].push_back({ frame, a, b, kept.At(frame, a, b) < kept.Needed(a, b) });
+                 }
+               };
+               SweepPairs(places, reach, look);
+               std::sort(byFrame[f].begin(), byFrame[f].end(),
+                         [](const MeshCut& one, const MeshCut& other)
+                         { return std::tie(one.A, one.B) < std::tie(other.A, other.B); });
+             }
+           });
+  std::vector<MeshCut> cuts;
+  for (const std::vector<MeshCut>& some : byFrame)
+  {
+    cuts.insert(cuts.end(), some.begin(), some.end());
+  }
+  return cuts;
+}
+
+} // namespace waft
