@@ -73,7 +73,7 @@ FILE_MODULES = {"io": {"open"}, "os": {"open", "remove", "removedirs", "rename",
                 "json": {"load", "dump"}, "np": {"load"}, "pickle": {"load"}, "ElementTree": {"parse"},
                 "Image": {"open"}, "shutil": {"copy", "copy2", "copyfile", "copytree", "move"}}
 # Modules of the package waft that read results, and what the accessors (_arrays, _records, _tables) do for them.
-RESULT_READERS = {"results._folder", "page._pagedata", "measuring._runs", "measuring._airfield", "render._flyers", "results.exporting",
+RESULT_READERS = {"results._folder", "page._pagedata", "measuring._runs", "measuring._airfield", "measuring._meshcuts", "render._flyers", "results.exporting",
                   "page.writing", "measuring.rows", "run.takes"}
 BARE_CALLS = {"GetArray", "GetAbstractArray", "GetTuple3", "vtk_to_numpy", "loads", "DictReader", "found_json"}
 CLASS = re.compile(r"(?:class|struct)\s+(?:\w+_EXPORT\s+)?(\w+)(?!\w|\s*;|::)")

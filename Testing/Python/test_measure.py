@@ -13,7 +13,8 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet  # noqa: E402
+from vtkmodules.vtkFiltersSources import vtkPlaneSource  # noqa: E402
 
 import sample_folder  # noqa: E402
 
@@ -100,14 +101,7 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
     write_xml(objects, os.path.join(folder, "objects.vtp"))
     if rest is not None or mark is not None:
         frame, what, until, radius = (mark, 0, mark, 0.02) if rest is None else (rest, 4, frames - 1, 0.0)
-        rows = sample_folder._vertices(positions[:, frame])
-        columns = rows.GetPointData()
-        for name, value, kind in (("Frame", frame, np.int32), ("Kind", what, np.uint8), ("Until", until, np.int32),
-                                  ("Radius", radius, float)):
-            sample_folder.add(columns, name, np.full(count, value), kind)
-        sample_folder.add(columns, "ObjectId", np.arange(count), np.int32)
-        sample_folder.add(columns, "Value", np.pad(positions[:, frame], ((0, 0), (0, 1))))
-        write_xml(rows, os.path.join(folder, "constraints.vtp"))
+        write_folder_rows(folder, positions, frame, what, until, radius, range(count))
     if air is not None:
         os.makedirs(os.path.join(folder, "air"))
         entries = []
@@ -122,6 +116,18 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
             write_xml(image, os.path.join(folder, entries[-1][1]))
         write_pvd(os.path.join(folder, "air.pvd"), entries)
     return folder
+
+
+def write_folder_rows(folder, positions, frame, what, until, radius, which):
+    """constraints.vtp with a row for each of some bodies, where they are at that frame."""
+    which = np.array(list(which))
+    rows = sample_folder._vertices(positions[which, frame])
+    columns = rows.GetPointData()
+    for name, value, kind in (("Frame", frame, np.int32), ("Kind", what, np.uint8), ("Until", until, np.int32), ("Radius", radius, float)):
+        sample_folder.add(columns, name, np.full(len(which), value), kind)
+    sample_folder.add(columns, "ObjectId", which, np.int32)
+    sample_folder.add(columns, "Value", np.pad(positions[which, frame], ((0, 0), (0, 1))))
+    write_xml(rows, os.path.join(folder, "constraints.vtp"))
 
 
 class DefinitionTest(unittest.TestCase):
@@ -312,6 +318,49 @@ class DefinitionTest(unittest.TestCase):
         self.assertAlmostEqual(fast.value, 9 / 89, delta=1e-3)
         self.assertAlmostEqual(peak.value, fast.value)
         self.assertFalse(fast.met or peak.met)
+
+    def test_bodies_that_are_in_each_other_are_counted(self):
+        """Two rows of sheets that stand still but for one, which passes through its neighbour at right angles."""
+        positions = np.zeros((COUNT, FRAMES, 3))
+        positions[..., 0], positions[..., 2] = 0.4 * np.arange(COUNT)[:, None] - 4.0, 1.0
+        positions[1] = positions[0] + np.linspace([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], FRAMES)
+        folder = write_folder(os.path.join(WORK, "cuts"), positions)
+        self.assertIn("shapes.vtm", measure(folder)[0]["cuts"].why)
+
+        def shares():
+            return [measure(folder)[0][key].value for key in ("cuts", "cuts_marks")]
+
+        poses = read_surface(os.path.join(folder, "planned.vtp"))
+        turned = np.zeros((COUNT, FRAMES, 4))
+        turned[..., 0] = 1.0
+        turned[1] = math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0
+        sample_folder.add(poses.GetPointData(), "Orientation", turned.reshape(-1, 4))
+        write_xml(poses, os.path.join(folder, "poses.vtp"))
+        objects = read_surface(os.path.join(folder, "objects.vtp"))
+        sample_folder.add(objects.GetPointData(), "ShapeId", np.zeros(COUNT), np.int32)
+        sample_folder.add(objects.GetPointData(), "ClearanceRadius", np.full(COUNT, 0.1))
+        write_xml(objects, os.path.join(folder, "objects.vtp"))
+        sheet = vtkPlaneSource()
+        sheet.SetOrigin(-0.1, -0.05, 0.0)
+        sheet.SetPoint1(0.1, -0.05, 0.0)
+        sheet.SetPoint2(-0.1, 0.05, 0.0)
+        sheet.Update()
+        shapes = vtkMultiBlockDataSet()
+        shapes.SetBlock(0, sheet.GetOutput())
+        write_xml(shapes, os.path.join(folder, "shapes.vtm"))
+        # They cross over 0.2 m along y, less the depth at either end; each counts.
+        step = 2.0 / (FRAMES - 1)
+        self.assertAlmostEqual(shares()[0], 2 * 0.192 / step / (COUNT * FRAMES), delta=2 * 2 / (COUNT * FRAMES))
+        self.assertEqual(shares()[1], 0.0)
+        write_folder_rows(folder, positions, frame=FRAMES // 2, what=0, until=FRAMES // 2, radius=0.02, which=[0, 1])
+        self.assertEqual(shares()[0], 0.0, "their marks are in each other")
+        self.assertGreater(shares()[1], 0.0)
+        write_folder_rows(folder, positions, frame=0, what=4, until=FRAMES - 1, radius=0.0, which=[0])
+        lying = shares()
+        sample_folder.add(poses.GetCellData(), "TouchDown", np.where(np.arange(COUNT) == 1, 0, -1), np.int32)
+        write_xml(poses, os.path.join(folder, "poses.vtp"))
+        self.assertGreater(sum(lying), 0.0, "one flies through one that lies")
+        self.assertEqual(sum(shares()), 0.0, "both lie")
 
     def test_a_given_path_is_no_flight(self):
         frames = np.array([*range(30, 41), 60])

@@ -11,12 +11,6 @@ namespace waft
 namespace
 {
 
-/// The first frame at which a row holds its body.
-int FirstHeld(const Constraint& row)
-{
-  return IsRest(row.Kind) && row.TouchDown >= 0 ? row.TouchDown : row.Frame;
-}
-
 bool StandsStill(const PosedMotion& motion, std::size_t track, std::size_t frame)
 {
   const std::vector<Vec3>& path = (*motion.Tracks)[track].Positions;
@@ -57,7 +51,7 @@ KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& r
         continue;
       }
       const int last = std::min(LastFrame(row), frames - 1);
-      for (int f = std::max(FirstHeld(row), 0); f <= last; ++f)
+      for (int f = std::max(FirstContact(row), 0); f <= last; ++f)
       {
         marks.push_back(
           { f, IsRest(row.Kind) ? path[static_cast<std::size_t>(f)] : row.Value, RadiusOf(row) });

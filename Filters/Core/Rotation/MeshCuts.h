@@ -44,6 +44,12 @@ struct PosedMotion
   }
 };
 
+/// The first frame at which a row holds its body, or of a rest, at which it touches.
+inline int FirstContact(const Constraint& row)
+{
+  return IsRest(row.Kind) && row.TouchDown >= 0 ? row.TouchDown : row.Frame;
+}
+
 /// What marks leave bodies between them: of starts, positions and rests that are met or not said to
 /// be missed.
 KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& rows,

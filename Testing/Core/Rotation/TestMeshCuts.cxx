@@ -2,8 +2,8 @@
 // How deep posed meshes are in each other: by hand where that is plain, else against a slow
 // reference that knows no trees, boxes or sweeps.
 #include "Base/Random.h"
+#include "Crowd.h"
 #include "Refining.h"
-#include "Rotation/MeshCuts.h"
 
 using namespace waft;
 using namespace waft::fixtures;
@@ -104,55 +104,6 @@ bool Cut(const PosedMesh& a, const PosedMesh& b)
   pair.Place(a, b, 0.0);
   return pair.Cut();
 }
-
-Quat About(const Vec3& axis, double degrees)
-{
-  return Quat(Eigen::AngleAxisd(degrees * std::acos(-1.0) / 180.0, axis));
-}
-
-/// Bodies in straight flight, one shape.
-struct Crowd
-{
-  std::vector<Shape> Shapes;
-  std::vector<ContactMesh> Meshes;
-  std::vector<MotionObject> Objects;
-  std::vector<Track> Tracks;
-  std::vector<PoseTrack> Poses;
-
-  explicit Crowd(const Shape& shape) : Shapes{ shape }, Meshes(ContactMeshesOf(this->Shapes)) {}
-
-  void Add(const Vec3& from, const Vec3& to, const Quat& pose, int frames)
-  {
-    MotionObject object;
-    object.ObjectId = static_cast<int>(this->Objects.size());
-    object.ClearanceRadius = ClearanceRadius(this->Shapes[0]);
-    this->Objects.push_back(object);
-    Track track;
-    track.ObjectId = object.ObjectId;
-    for (int k = 0; k < frames; ++k)
-    {
-      track.Positions.push_back(from + (to - from) * k / (frames - 1));
-    }
-    this->Tracks.push_back(track);
-    PoseTrack poses;
-    poses.ObjectId = object.ObjectId;
-    poses.Orientations.assign(static_cast<std::size_t>(frames), pose);
-    this->Poses.push_back(poses);
-  }
-
-  PosedMotion Motion() const
-  {
-    PosedMotion motion;
-    motion.Tracks = &this->Tracks;
-    motion.Poses = &this->Poses;
-    motion.Meshes = &this->Meshes;
-    for (const MotionObject& object : this->Objects)
-    {
-      motion.Objects.push_back(&object);
-    }
-    return motion;
-  }
-};
 
 } // namespace
 
@@ -274,7 +225,7 @@ TEST(MeshCuts, FindsThePairsAndFramesThatAPlainLoopFinds)
       {
         const auto frame = static_cast<std::size_t>(f);
         if (IsDeeper(motion.At(a, frame), motion.At(b, frame),
-                     TouchedDepth * crowd.Meshes[0].Length()))
+                     TouchedDepth * crowd.Meshes->front().Length()))
         {
           ASSERT_LT(next, cuts.size());
           EXPECT_EQ(cuts[next].Frame, f);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The motion in a result folder, and when its objects fly: what `waft measure` needs of it."""
+import functools
 import os
 from dataclasses import dataclass
 
@@ -8,6 +9,7 @@ import numpy as np
 from waft.failures import BadInput
 from waft.measuring._drifters import END, START
 from waft.measuring._flights import Flights
+from waft.measuring._meshcuts import mesh_cuts
 from waft.reading import dynamics
 from waft.results._arrays import array_of, bounds_of, object_ids, points_of, polylines, rate_of, texts_of
 from waft.results._folder import read_surface
@@ -42,6 +44,11 @@ class Run:
     @property
     def width(self):
         return max(self.bounds[1] - self.bounds[0], self.bounds[3] - self.bounds[2])
+
+    @functools.cached_property
+    def cuts(self):
+        """As mesh_cuts says, which takes seconds."""
+        return mesh_cuts(self)
 
 
 def read_run(folder, tracks="optimized"):

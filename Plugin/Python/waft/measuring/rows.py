@@ -15,6 +15,7 @@ from waft.measuring._airfield import read_air
 from waft.measuring._approach import FIRST, LAST, LEAST_BODIES, approach
 from waft.measuring._drifters import Drifters, gliding, make_drifters
 from waft.measuring._flights import rms
+from waft.measuring._meshcuts import FILES
 from waft.measuring._runs import TRACKS, largest_residual, read_run
 
 MANY = 20  # objects from which figures about each frame's mean and about pairs mean something
@@ -151,7 +152,8 @@ def _measured(runs, given, tracks, air):
     plain, others = others, gliding(others, airs)
     style = _Style(airs, others, fewest, plain)
     rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
-    rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest) + _turning(runs)
+    rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest)
+    rows += _turning(runs) + _cuts(runs)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -423,6 +425,17 @@ def _turning(runs):
                 why="no poses.vtp"),
             Row("turning_peak", f"turning: share of steps within {AT_LIMIT:g} degree of the largest", shares[1], (0.0, 0.05),
                 why="no poses.vtp")]
+
+
+def _cuts(runs):
+    """How often bodies are in each other: for want of room at marks, and where there is room."""
+    found = [run.cuts for run in runs]
+    flown = sum(int(run.flights.flying.sum()) for run in runs)
+    known = flown > 0 and all(masks is not None for masks in found)
+    shares = [sum(int(masks[kind].sum()) for masks in found) / flown for kind in (0, 1)] if known else [UNKNOWN, UNKNOWN]
+    why = f"no {' or '.join(FILES)}"
+    return [Row("cuts", "interpenetration: share of body-frames in flight, 2 % of the length", shares[0], (0.0, 0.001), why=why),
+            Row("cuts_marks", "interpenetration beside marks nearer than bodies are wide", shares[1], why=why)]
 
 
 def table(measured: Measured) -> List[str]:
