@@ -66,6 +66,7 @@ public:
   WaftProperty(double, TurningRate);
   WaftProperty(double, MaximumTurn);
   WaftProperty(int, RasterSize);
+  WaftFlag(KeepApart);
   WaftProperty(int, Seed);
 
   ///@{

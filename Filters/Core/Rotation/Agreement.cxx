@@ -32,7 +32,7 @@ bool FliesFreely(const AttitudePlan& plan, int from, int to)
 } // namespace
 
 std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
-                               const FlightPath& path)
+                               const FlightPath& path, const PoseTrack& poses)
 {
   std::vector<double> away;
   const Track& track = *plan.Path;
@@ -48,15 +48,15 @@ std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
     const auto from = static_cast<std::size_t>(first);
     const auto to = static_cast<std::size_t>(first + span);
     FlightState state;
-    state.Orientation = track.Orientations[from].normalized();
+    state.Orientation = poses.Orientations[from].normalized();
     const double pace = path.Step / plan.Time.Step();
-    state.SetAngularVelocity(body, track.AngularVelocities[from] / pace);
+    state.SetAngularVelocity(body, poses.AngularVelocities[from] / pace);
     state.SetVelocity(body, track.Slips[from]);
     for (int k = first; k < first + span; ++k)
     {
       AdvanceFrame(body, path, k, Settling(), nullptr, state);
     }
-    away.push_back(LogMap(state.Orientation * track.Orientations[to].conjugate()).norm());
+    away.push_back(LogMap(state.Orientation * poses.Orientations[to].conjugate()).norm());
   }
   return away;
 }

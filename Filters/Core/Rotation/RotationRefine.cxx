@@ -8,12 +8,15 @@
 #include "Rotation/Agreement.h"
 #include "Rotation/Attitude.h"
 #include "Rotation/Pace.h"
+#include "Rotation/PartMeshes.h"
+#include "Rotation/PoseRates.h"
 #include "Rotation/RotationReport.h"
 #include "Rotation/TurnLimit.h"
 #include "Rotation/TurningSetup.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace waft
@@ -174,6 +177,34 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
   return plan;
 }
 
+/// What has been turned and shifted so that bodies pass each other, and what could not be helped.
+bool KeepApart(const RotationInput& input, double most, const ParallelFor& parallel,
+               Monitor& monitor, RotationOutput& result, PartedMotion& parted)
+{
+  std::vector<Track> tracks = input.Tracks;
+  (void)ApplyShifts(result, tracks);
+  if (!PartMeshes(input, result.Constraints, most, parallel, monitor, tracks, result.Poses, parted))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+  {
+    if (!parted.Turned[i].empty())
+    {
+      SetRatesWhereTurned(parted.Turned[i], input.Scene.Time.Step(), result.Poses[i]);
+    }
+    if (!parted.Shifts[i].empty())
+    {
+      result.Shifts[i].resize(parted.Shifts[i].size(), Vec3::Zero());
+      std::transform(result.Shifts[i].begin(), result.Shifts[i].end(), parted.Shifts[i].begin(),
+                     result.Shifts[i].begin(), std::plus<Vec3>());
+    }
+  }
+  const std::vector<std::string> left = WarningsOfCuts(parted.Left, tracks, result.Constraints);
+  result.Warnings.insert(result.Warnings.end(), left.begin(), left.end());
+  return true;
+}
+
 } // namespace
 
 Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
@@ -223,6 +254,31 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
   result.Away.resize(input.Tracks.size());
   const double most = MostTurn(options.MaximumTurn, input.Scene.Time); // rad a frame
+  const auto turn = [&](std::size_t i, const auto& act)
+  {
+    const Track& track = input.Tracks[i];
+    const MotionObject& object = input.Objects[objectOfId.at(track.ObjectId)];
+    const PreparedShape& shape = shapes[object.ShapeId];
+    const Glider glider = GliderOf(input, options, shape, object);
+    double draw =
+      input.Glides || HasFlown(track) ? shape.Draw * LawOf(object).SettlingSpeed() : 0.0;
+    const FlightBody body = glider.DrawnAt(draw);
+    draw = body.Slips ? draw : 0.0;
+    AttitudePlan plan = MakePlan(input, options, object, track);
+    plan.BoundingRadius = shape.Properties.BoundingRadius;
+    plan.Glides = input.Glides;
+    FlightPath path = MakePath(input, i, draw, glider.Pace);
+    if (draw > 0.0)
+    {
+      EndDraw(plan, path);
+    }
+    const PoseTrack& poses = act(plan, body, path);
+    if (HasFlown(track) && draw > 0.0)
+    {
+      SetLimit(most, path);
+      result.Away[i] = TurnedAway(plan, body, path, poses);
+    }
+  };
   constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
   for (std::size_t first = 0; first < outcomes.size(); first += Batch)
   {
@@ -232,29 +288,13 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
              {
                for (std::size_t i = first + begin; i < first + end; ++i)
                {
-                 const Track& track = input.Tracks[i];
-                 const MotionObject& object = input.Objects[objectOfId.at(track.ObjectId)];
-                 const PreparedShape& shape = shapes[object.ShapeId];
-                 const Glider glider = GliderOf(input, options, shape, object);
-                 double draw = input.Glides || HasFlown(track)
-                                 ? shape.Draw * LawOf(object).SettlingSpeed()
-                                 : 0.0;
-                 const FlightBody body = glider.DrawnAt(draw);
-                 draw = body.Slips ? draw : 0.0;
-                 AttitudePlan plan = MakePlan(input, options, object, track);
-                 plan.BoundingRadius = shape.Properties.BoundingRadius;
-                 plan.Glides = input.Glides;
-                 FlightPath path = MakePath(input, i, draw, glider.Pace);
-                 if (draw > 0.0)
-                 {
-                   EndDraw(plan, path);
-                 }
-                 outcomes[i] = TurnObjectWithin(most, plan, body, path);
-                 if (HasFlown(track) && draw > 0.0)
-                 {
-                   SetLimit(most, path);
-                   result.Away[i] = TurnedAway(plan, body, path);
-                 }
+                 turn(i,
+                      [&](const AttitudePlan& plan, const FlightBody& body,
+                          const FlightPath& path) -> const PoseTrack&
+                      {
+                        outcomes[i] = TurnObjectWithin(most, plan, body, path);
+                        return outcomes[i].Poses;
+                      });
                }
              });
     for (std::size_t i = first; monitor.Publishes() && i < first + count; ++i)
@@ -288,6 +328,25 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     result.Shifts.push_back(std::move(outcome.Shifts));
     tooFast.merge(outcome.TooFast);
     result.Warnings.insert(result.Warnings.end(), outcome.Warnings.begin(), outcome.Warnings.end());
+  }
+  if (options.KeepApart && !input.Glides)
+  {
+    PartedMotion parted;
+    if (!KeepApart(input, most, parallel, monitor, result, parted))
+    {
+      return Result::Stopped();
+    }
+    parallel(parted.Turned.size(),
+             [&](std::size_t begin, std::size_t end)
+             {
+               for (std::size_t i = begin; i < end; ++i)
+               {
+                 if (!parted.Turned[i].empty())
+                 {
+                   turn(i, [&](const auto&...) -> const PoseTrack& { return result.Poses[i]; });
+                 }
+               }
+             });
   }
   const std::vector<std::string> fast = turns.Warnings();
   result.Warnings.insert(result.Warnings.end(), fast.begin(), fast.end());

@@ -28,6 +28,7 @@ struct RotationOptions : TurningOptions
   double LandingTime = 0.7;
   double TurningTime = 2.0;
   double TurningRate = 60.0;
+  bool KeepApart = true;
   std::uint64_t Seed = 1;
 
   Result Validate() const { return ValidateFields<RotationOptions>(*this); }
@@ -53,6 +54,10 @@ struct RotationOptions : TurningOptions
                        "The fastest turn, in radians per second, that an orientation row may ask "
                        "for; one that asks for more is approached and named." },
           of.TurningRate...);
+    visit(FlagField("KeepApart",
+                    "Bodies whose meshes would be in each other in flight are turned a little, and "
+                    "where that does not do shifted a little, so that they pass each other."),
+          of.KeepApart...);
     visit(SeedField(), of.Seed...);
   }
 };
@@ -83,7 +88,8 @@ struct RotationOutput
   std::vector<PoseTrack> Poses; // in the order of Tracks
   /// m, by which centres are moved so that meshes touch surfaces and do not cut them: in the order
   /// of Tracks, one a frame, or empty for a track that stays; as bodies land and lie by what their
-  /// poses ask for, upwards, besides by at most 1e-3 of the volume's width.
+  /// poses ask for, upwards, besides by at most 1e-3 of the volume's width; those that pass each
+  /// other by up to a quarter of their length.
   std::vector<std::vector<Vec3>> Shifts;
   /// rad, how far half a second of turning in the air leads away from the poses that tracks came
   /// with (Rotation/Agreement.h); empty for those that came without. In the order of Tracks.

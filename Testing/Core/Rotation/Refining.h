@@ -9,12 +9,13 @@
 namespace waft::fixtures
 {
 
-/// Must succeed.
-inline RotationOutput Refine(const RotationInput& input, const RotationOptions& options = {},
-                             int threads = 1)
+/// Must succeed. Several bodies on one path are several experiments: they are not kept apart.
+inline RotationOutput Refine(const RotationInput& input, RotationOptions options = {},
+                             int threads = 1, bool keepApart = false)
 {
   SilentMonitor silent;
   RotationOutput output;
+  options.KeepApart = keepApart;
   const Result result = RunRotationRefine(input, options, ThreadedFor(threads), silent, output);
   EXPECT_TRUE(result) << result.Message();
   return output;

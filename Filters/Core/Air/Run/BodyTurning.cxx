@@ -64,6 +64,7 @@ RotationOptions OptionsOf(const AirContext& run)
 {
   RotationOptions options = run.Input.Turning;
   options.Seed = SeedOfAir(run.Input, run.Options);
+  options.KeepApart = false; // they drift on from here
   return options;
 }
 
