@@ -69,6 +69,7 @@ waft::Result Read(vtkPolyData* poses, vtkPolyData* objects, vtkMultiBlockDataSet
   read.Motion.Tracks = &read.Tracks;
   read.Motion.Poses = &read.Poses;
   read.Motion.Meshes = &read.Meshes;
+  waft::TakeRests(read.Rows, read.Motion);
   return waft::Result::Ok();
 }
 

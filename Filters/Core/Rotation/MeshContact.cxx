@@ -51,10 +51,10 @@ bool HasInside(const TriangleMesh& mesh)
   return IsClosed(welded);
 }
 
-Box BoxAbout(const TriangleCorners& triangle, double more)
+Box BoxAbout(const TriangleCorners& triangle)
 {
-  return { triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]) - Vec3::Constant(more),
-           triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) + Vec3::Constant(more) };
+  return { triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]),
+           triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) };
 }
 
 bool Overlap(const Box& a, const Box& b)
@@ -123,15 +123,19 @@ void MeshPair::Place(const PosedMesh& a, const PosedMesh& b, double reach)
   const int count = static_cast<int>(b.Shape->Mesh().Triangles.size());
   for (int t = 0; t < count; ++t)
   {
-    const Box box = BoxAbout(this->OfB(t, Vec3::Zero()), reach);
-    if (Overlap(boxA, box))
+    const Box own = BoxAbout(this->OfB(t, Vec3::Zero()));
+    const Vec3 more = Vec3::Constant(reach);
+    const Box box = { own.Min - more, own.Max + more };
+    if (!Overlap(boxA, box))
     {
-      this->Found.clear();
-      a.Shape->Tree().AddInBox(box, this->Found);
-      for (const int other : this->Found)
-      {
-        this->Candidates.push_back({ other, t });
-      }
+      continue;
+    }
+    this->Found.clear();
+    a.Shape->Tree().AddInBox(box, this->Found);
+    for (const int found : this->Found)
+    {
+      const Box other = BoxAbout(this->OfA(found));
+      this->Candidates.push_back({ found, t, other.Min - own.Max, other.Max - own.Min });
     }
   }
 }
@@ -153,9 +157,9 @@ bool MeshPair::Cut(const Vec3& shift)
 {
   for (std::size_t k = 0; k < this->Candidates.size(); ++k)
   {
-    const TriangleCorners a = this->OfA(this->Candidates[k].A);
-    const TriangleCorners b = this->OfB(this->Candidates[k].B, shift);
-    if (Overlap(BoxAbout(a, 0.0), BoxAbout(b, 0.0)) && TrianglesMeet(a, b))
+    const Touching& both = this->Candidates[k];
+    if ((shift.array() >= both.Low.array()).all() && (shift.array() <= both.High.array()).all() &&
+        TrianglesMeet(this->OfA(both.A), this->OfB(both.B, shift)))
     {
       // Where they meet they mostly do after the next shift, too.
       std::swap(this->Candidates[0], this->Candidates[k]);

@@ -54,9 +54,11 @@ public:
   bool IsDeeper(double depth);
 
 private:
+  /// Two triangles whose boxes meet where b is shifted by more than Low and less than High.
   struct Touching
   {
     int A, B;
+    Vec3 Low, High;
   };
 
   TriangleCorners OfA(int triangle) const;

@@ -4,6 +4,7 @@
 #include "Base/NearPairs.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 namespace waft
@@ -13,6 +14,10 @@ namespace
 
 bool StandsStill(const PosedMotion& motion, std::size_t track, std::size_t frame)
 {
+  if (!motion.Lies.empty() && motion.Lies[track][frame] != 0)
+  {
+    return true;
+  }
   const std::vector<Vec3>& path = (*motion.Tracks)[track].Positions;
   const std::vector<Quat>& poses = (*motion.Poses)[track].Orientations;
   return frame > 0 && path[frame] == path[frame - 1] &&
@@ -30,6 +35,29 @@ std::vector<ContactMesh> ContactMeshesOf(const std::vector<Shape>& shapes)
     meshes.emplace_back(shape.Mesh);
   }
   return meshes;
+}
+
+void TakeRests(const std::vector<Constraint>& rows, PosedMotion& motion)
+{
+  const int frames = static_cast<int>(motion.NumberOfFrames());
+  motion.Lies.assign(motion.Tracks->size(), std::vector<char>(static_cast<std::size_t>(frames), 0));
+  std::map<int, std::size_t> trackOf;
+  for (std::size_t i = 0; i < motion.Tracks->size(); ++i)
+  {
+    trackOf[(*motion.Tracks)[i].ObjectId] = i;
+  }
+  for (const Constraint& row : rows)
+  {
+    const auto found = trackOf.find(row.ObjectId);
+    if (found == trackOf.end() || !IsRest(row.Kind) || row.Status != ConstraintStatus::Met)
+    {
+      continue;
+    }
+    for (int f = std::max(FirstContact(row), 0); f <= std::min(LastFrame(row), frames - 1); ++f)
+    {
+      motion.Lies[found->second][static_cast<std::size_t>(f)] = 1;
+    }
+  }
 }
 
 KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& rows,

@@ -28,6 +28,8 @@ struct PosedMotion
   const std::vector<PoseTrack>* Poses = nullptr;
   std::vector<const MotionObject*> Objects; // by track
   const std::vector<ContactMesh>* Meshes = nullptr;
+  /// By track and frame: it lies, by a rest, from its first contact on; empty: none does.
+  std::vector<std::vector<char>> Lies;
 
   std::size_t NumberOfFrames() const
   {
@@ -50,6 +52,9 @@ inline int FirstContact(const Constraint& row)
   return IsRest(row.Kind) && row.TouchDown >= 0 ? row.TouchDown : row.Frame;
 }
 
+/// Sets Lies by the rests that are met.
+void TakeRests(const std::vector<Constraint>& rows, PosedMotion& motion);
+
 /// What marks leave bodies between them: of starts, positions and rests that are met or not said to
 /// be missed.
 KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& rows,
@@ -64,7 +69,7 @@ struct MeshCut
 };
 
 /// In the order of frames, of A and of B. depth: in lengths of the shorter body; 0: all that cut.
-/// Bodies that both stand still, as in a heap, are passed over.
+/// Bodies that both lie or stand still, as in a heap, are passed over.
 std::vector<MeshCut> FindMeshCuts(const PosedMotion& motion, const KeptDistances& kept,
                                   double depth, const ParallelFor& parallel);
 

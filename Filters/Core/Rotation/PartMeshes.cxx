@@ -40,35 +40,17 @@ std::string Named(const Meeting& meeting, const std::vector<Track>& tracks)
          std::to_string(tracks[meeting.B].ObjectId) + " " + FramesText(meeting.First, meeting.Last);
 }
 
-/// Whether a body lies at a frame, by its rests.
-bool Lies(int objectId, int frame, const std::vector<Constraint>& rows)
-{
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const Constraint& row)
-                     {
-                       return row.ObjectId == objectId && IsRest(row.Kind) &&
-                              row.Status == ConstraintStatus::Met && frame >= FirstContact(row) &&
-                              frame <= LastFrame(row);
-                     });
-}
-
 } // namespace
 
 std::vector<std::string> WarningsOfCuts(const std::vector<MeshCut>& left,
-                                        const std::vector<Track>& tracks,
-                                        const std::vector<Constraint>& rows)
+                                        const std::vector<Track>& tracks)
 {
   std::vector<std::string> warnings;
   for (const bool nearMarks : { false, true })
   {
     std::vector<MeshCut> cuts;
     std::copy_if(left.begin(), left.end(), std::back_inserter(cuts),
-                 [&](const MeshCut& cut)
-                 {
-                   return cut.NearMarks == nearMarks &&
-                          !(Lies(tracks[cut.A].ObjectId, cut.Frame, rows) &&
-                            Lies(tracks[cut.B].ObjectId, cut.Frame, rows));
-                 });
+                 [&](const MeshCut& cut) { return cut.NearMarks == nearMarks; });
     const std::vector<Meeting> meetings =
       MeetingsOf(cuts, static_cast<int>(tracks.front().Positions.size()));
     if (meetings.empty())
@@ -110,6 +92,7 @@ bool PartMeshes(const RotationInput& input, const std::vector<Constraint>& rows,
   {
     motion.Objects.push_back(objectOf[track.ObjectId]);
   }
+  TakeRests(rows, motion);
   const KeptDistances kept = KeptOf(motion, rows, input.Scene.Time.FramesPerSecond);
   PartingSearch parting(input, rows, most, motion, monitor, tracks, poses);
   bool isChanged = true;

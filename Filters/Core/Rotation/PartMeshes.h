@@ -25,7 +25,6 @@ bool PartMeshes(const RotationInput& input, const std::vector<Constraint>& rows,
 
 /// Which are left in flight, the first few by name; empty where none is.
 std::vector<std::string> WarningsOfCuts(const std::vector<MeshCut>& left,
-                                        const std::vector<Track>& tracks,
-                                        const std::vector<Constraint>& rows);
+                                        const std::vector<Track>& tracks);
 
 } // namespace waft

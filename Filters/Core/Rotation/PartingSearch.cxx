@@ -7,9 +7,11 @@
 #include "Rotation/RigidBody.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace waft
 {
@@ -35,6 +37,7 @@ public:
     this->Result.Turned.resize(tracks.size());
     this->Result.Shifts.resize(tracks.size());
     this->Freedoms.resize(tracks.size());
+    this->Versions.resize(tracks.size(), 0);
   }
 
   bool IsStopped() const { return this->Stopped; }
@@ -52,6 +55,15 @@ public:
   bool Part(const Meeting& meeting)
   {
     if (meeting.Last - meeting.First > LongestMeeting * this->Input.Scene.Time.FramesPerSecond)
+    {
+      return false;
+    }
+    // What did not help does not help again, unless a body has been changed since.
+    const std::pair<int, int> versions(this->Versions[meeting.A], this->Versions[meeting.B]);
+    const std::array<std::size_t, 3> key = { meeting.A, meeting.B,
+                                             static_cast<std::size_t>(meeting.First) };
+    const auto tried = this->InVain.find(key);
+    if (tried != this->InVain.end() && tried->second == versions)
     {
       return false;
     }
@@ -84,8 +96,10 @@ public:
     if (least < worst)
     {
       this->Make(best);
+      return true;
     }
-    return least < worst;
+    this->InVain[key] = versions;
+    return false;
   }
 
 private:
@@ -285,6 +299,7 @@ private:
       const Vec3& turn = isA ? change.TurnA : change.TurnB;
       const Vec3& shift = isA ? change.ShiftA : change.ShiftB;
       const std::size_t frames = this->Motion.NumberOfFrames();
+      this->Versions[track] += turn.isZero() && shift.isZero() ? 0 : 1;
       if (!turn.isZero())
       {
         this->Result.Turned[track].resize(frames, 0);
@@ -321,6 +336,8 @@ private:
   double Ease; // frames
   bool Stopped = false;
   std::vector<PartingFreedom> Freedoms;
+  std::vector<int> Versions;                                        // changes so far, by track
+  std::map<std::array<std::size_t, 3>, std::pair<int, int>> InVain; // meetings, with versions
   PartedMotion Result;
   MeshPair Pair;
   Meeting Now;

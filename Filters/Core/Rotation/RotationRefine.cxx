@@ -200,7 +200,7 @@ bool KeepApart(const RotationInput& input, double most, const ParallelFor& paral
                      result.Shifts[i].begin(), std::plus<Vec3>());
     }
   }
-  const std::vector<std::string> left = WarningsOfCuts(parted.Left, tracks, result.Constraints);
+  const std::vector<std::string> left = WarningsOfCuts(parted.Left, tracks);
   result.Warnings.insert(result.Warnings.end(), left.begin(), left.end());
   return true;
 }

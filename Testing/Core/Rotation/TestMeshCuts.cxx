@@ -290,4 +290,16 @@ TEST(MeshCuts, AHeapAtRestIsPassedOver)
   EXPECT_EQ(cuts(), 1U) << "at the first frame nobody knows";
   crowd.Poses[0].Orientations[2] = About(Vec3::UnitZ(), 1.0);
   EXPECT_EQ(cuts(), 3U) << "it turns there and back";
+  std::vector<Constraint> rests(2);
+  for (int k = 0; k < 2; ++k)
+  {
+    rests[static_cast<std::size_t>(k)].ObjectId = k;
+    rests[static_cast<std::size_t>(k)].Kind = ConstraintKind::Rest;
+    rests[static_cast<std::size_t>(k)].TouchDown = 2 * k;
+    rests[static_cast<std::size_t>(k)].Until = 4;
+  }
+  PosedMotion motion = crowd.Motion();
+  TakeRests(rests, motion);
+  EXPECT_EQ(FindMeshCuts(motion, KeptOf(motion, {}, 30.0), TouchedDepth, ThreadedFor(1)).size(), 1U)
+    << "both lie from frame 2 on, and rock";
 }

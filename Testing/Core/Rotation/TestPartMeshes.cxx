@@ -178,7 +178,7 @@ TEST(PartMeshes, ExactMarksAtOnePlaceAreNamed)
   }
   ASSERT_FALSE(parted.Left.empty());
   EXPECT_TRUE(parted.Left[0].NearMarks);
-  const std::vector<std::string> warnings = WarningsOfCuts(parted.Left, after.Tracks, rows);
+  const std::vector<std::string> warnings = WarningsOfCuts(parted.Left, after.Tracks);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].rfind("objects 0 and 1 at frame", 0), 0U) << warnings[0];
   EXPECT_NE(warnings[0].find("as their marks are nearer to each other"), std::string::npos);
@@ -198,22 +198,11 @@ TEST(PartMeshes, WarningsNameTheFirstFew)
     left.push_back({ 3, k, k + 10, false });
     left.push_back({ 5, k, k + 10, false });
   }
-  const std::vector<std::string> warnings = WarningsOfCuts(left, tracks, {});
+  const std::vector<std::string> warnings = WarningsOfCuts(left, tracks);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("objects 4 and 14 at frames 3 to 5; and 4 more pairs"),
             std::string::npos)
     << warnings[0];
-  std::vector<Constraint> rests(2);
-  for (int k = 0; k < 2; ++k)
-  {
-    rests[static_cast<std::size_t>(k)] = { 10 * k };
-    rests[static_cast<std::size_t>(k)].Kind = ConstraintKind::Rest;
-    rests[static_cast<std::size_t>(k)].TouchDown = 2;
-    rests[static_cast<std::size_t>(k)].Frame = 10;
-    rests[static_cast<std::size_t>(k)].Until = 49;
-  }
-  left.resize(2);
-  EXPECT_TRUE(WarningsOfCuts(left, tracks, rests).empty()) << "both lie";
 }
 
 TEST(PartMeshes, ThreadsDoNotMatter)
