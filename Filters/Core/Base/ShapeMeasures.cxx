@@ -99,6 +99,23 @@ double LargestExtent(const TriangleMesh& mesh)
   return (high - low).maxCoeff();
 }
 
+Vec3 EllipsoidAbout(const TriangleMesh& mesh)
+{
+  constexpr double thinnest = 0.1; // of the longest half axis
+  Vec3 half = Vec3::Zero();
+  for (const Vec3& p : mesh.Points)
+  {
+    half = half.cwiseMax(p.cwiseAbs());
+  }
+  half = half.cwiseMax(thinnest * half.maxCoeff());
+  double farthest = 0.0; // of the points, in half axes
+  for (const Vec3& p : mesh.Points)
+  {
+    farthest = half.minCoeff() > 0.0 ? std::max(farthest, p.cwiseQuotient(half).norm()) : 0.0;
+  }
+  return farthest * half;
+}
+
 void CenterOnMass(TriangleMesh& mesh)
 {
   const Vec3 center = ShellCentroid(mesh);

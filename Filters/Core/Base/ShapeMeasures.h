@@ -25,6 +25,10 @@ Vec3 ShellCentroid(const TriangleMesh& mesh);
 /// The longest side of the box around the mesh along the body's axes [m].
 double LargestExtent(const TriangleMesh& mesh);
 
+/// Half axes, along the body's own, of an ellipsoid about its centre that holds the mesh: of the
+/// proportions of the box about it, but no thinner than a tenth of its length [m].
+Vec3 EllipsoidAbout(const TriangleMesh& mesh);
+
 /// Moves the mesh so that its shell's centre of mass is the origin.
 void CenterOnMass(TriangleMesh& mesh);
 

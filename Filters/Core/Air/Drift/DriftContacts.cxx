@@ -9,6 +9,26 @@
 namespace waft
 {
 
+namespace
+{
+constexpr double SamePlace = 1e-9; // m: bodies nearer than this have no line between them
+}
+
+double PosedExtents::Needed(std::size_t a, std::size_t b, std::size_t frame, const Vec3& line) const
+{
+  double needed = 0.0;
+  for (const std::size_t o : { a, b })
+  {
+    const std::vector<Quat>& poses = (*this->Poses)[o].Orientations;
+    if (frame >= poses.size())
+    {
+      return 1e30;
+    }
+    needed += (poses[frame].conjugate() * line).cwiseProduct(this->HalfAxes[o]).norm();
+  }
+  return needed;
+}
+
 KeptDistances KeptBy(const std::vector<BodyProblem>& bodies, double framesPerSecond)
 {
   KeptDistances kept(framesPerSecond);
@@ -22,7 +42,7 @@ KeptDistances KeptBy(const std::vector<BodyProblem>& bodies, double framesPerSec
 
 std::vector<DriftContact> FindContacts(const KeptDistances& kept,
                                        const std::vector<std::vector<Vec3>>& paths, double margin,
-                                       const ParallelFor& parallel)
+                                       const ParallelFor& parallel, const PosedExtents& extents)
 {
   const std::size_t count = paths.size();
   double widest = 0.0;
@@ -50,7 +70,12 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
                  if (apart < kept.Needed(a, b) + more)
                  {
                    const auto frame = static_cast<int>(f);
-                   const double distance = kept.At(frame, a, b);
+                   double distance = kept.At(frame, a, b);
+                   if (extents.Poses != nullptr && apart > SamePlace)
+                   {
+                     const Vec3 line = (places[a] - places[b]) / apart;
+                     distance = std::min(distance, extents.Needed(a, b, f, line));
+                   }
                    if (apart < distance + more)
                    {
                      byFrame[f].push_back({ frame, a, b, distance });

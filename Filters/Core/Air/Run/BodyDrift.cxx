@@ -5,6 +5,7 @@
 #include "Air/Drift/FreeLanding.h"
 #include "Air/Drift/ResidualControl.h"
 #include "Base/FractionDone.h"
+#include "Base/ShapeMeasures.h"
 
 #include <algorithm>
 #include <atomic>
@@ -69,6 +70,27 @@ bool DriftAlone(const AirContext& run, const AirSampler& air, int iterations,
                  }
                });
   return part.Tick(1.0, "");
+}
+
+/// Of bodies that have turned.
+PosedExtents ExtentsOf(const AirContext& run, const AirBodies& bodies)
+{
+  PosedExtents extents;
+  if (bodies.Poses.size() != bodies.Size())
+  {
+    return extents;
+  }
+  std::vector<Vec3> ofShapes;
+  for (const Shape& shape : run.Input.Shapes)
+  {
+    ofShapes.push_back(EllipsoidAbout(shape.Mesh));
+  }
+  for (const BodyProblem& body : bodies.Problems)
+  {
+    extents.HalfAxes.push_back(ofShapes[static_cast<std::size_t>(body.Object().ShapeId)]);
+  }
+  extents.Poses = &bodies.Poses;
+  return extents;
 }
 
 // Those that may move, among the others.
@@ -140,8 +162,9 @@ bool DriftOn(const AirContext& run, const HalfSeries& series, int iterations, Ai
   PartMonitor part(monitor, 0.0, 1.0);
   const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
+  const PosedExtents extents = ExtentsOf(run, bodies);
   const auto contacts = [&]
-  { return FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel); };
+  { return FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel, extents); };
   std::vector<char> touches(bodies.Size(), 0);
   AddTouching(contacts(), bodies.Paths, touches);
   std::vector<char> alone(bodies.Size());
@@ -189,13 +212,14 @@ void KeepApart(const AirContext& run, const HalfSeries& series, AirBodies& bodie
   PartMonitor monitor(run.Caller, 1.0, 1.0, "Keeping the objects apart");
   const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
+  const PosedExtents extents = ExtentsOf(run, bodies);
   DriftWeights weights = run.Search.Weights;
   weights.Smoothness *= EvenControl;
   std::vector<char> touches(bodies.Size(), 0);
   for (int pass = 0; pass < ContactPasses; ++pass)
   {
     const std::vector<DriftContact> contacts =
-      FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel);
+      FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel, extents);
     std::vector<char> now(bodies.Size(), 0);
     AddTouching(contacts, bodies.Paths, now);
     if (std::find(now.begin(), now.end(), 1) == now.end())
@@ -218,6 +242,7 @@ std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, A
 {
   const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
+  const PosedExtents extents = ExtentsOf(run, bodies);
   PartMonitor monitor(run.Caller, 1.0, 1.0, "Bringing the objects to their marks exactly");
   DriftWeights weights = run.Search.Weights;
   weights.Contact *= FirmContact;
@@ -225,8 +250,9 @@ std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, A
   std::vector<double> barriers(bodies.Size(), weights.Barrier);
   const auto drift = [&](const std::vector<TogetherBody>& together)
   {
-    (void)SolveTogether(together, FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel),
-                        air, weights.Contact, DriftIterations, run.Parallel, monitor, bodies.Paths);
+    (void)SolveTogether(together,
+                        FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel, extents), air,
+                        weights.Contact, DriftIterations, run.Parallel, monitor, bodies.Paths);
   };
   // What keeps too near to something is pushed harder first; only what that does not help is moved
   // out of the way without a look at the air.
