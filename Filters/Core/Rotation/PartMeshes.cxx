@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int MostPasses = 3;
-constexpr std::size_t MostNamed = 5; // pairs of which the same is said
+constexpr std::size_t NamedPairs = 5; // pairs of which the same is said
 
 std::vector<Meeting> MeetingsOf(const std::vector<MeshCut>& cuts, int gap)
 {
@@ -58,11 +58,11 @@ std::vector<std::string> WarningsOfCuts(const std::vector<MeshCut>& left,
       continue;
     }
     std::string text;
-    for (std::size_t k = 0; k < std::min(meetings.size(), MostNamed); ++k)
+    for (std::size_t k = 0; k < std::min(meetings.size(), NamedPairs); ++k)
     {
       text += (k > 0 ? "; " : "") + Named(meetings[k], tracks);
     }
-    const std::size_t more = meetings.size() - std::min(meetings.size(), MostNamed);
+    const std::size_t more = meetings.size() - std::min(meetings.size(), NamedPairs);
     text += more > 0 ? "; and " + std::to_string(more) + " more pairs" : "";
     warnings.push_back(text + (nearMarks ? ": their meshes are in each other, as their marks are "
                                            "nearer to each other than they are wide: put marks "

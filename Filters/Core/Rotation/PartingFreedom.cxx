@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr double EaseTime = 0.4;      // s from a frame that is given until a body is free
+constexpr double GivenEase = 0.4;     // s from a frame that is given until a body is free
 constexpr int DerivativeReach = 3;    // frames about a row of a derivative of the path
 constexpr double SurfaceDepth = 1e-6; // m, of a vertex: rounding
 
@@ -91,8 +91,8 @@ PartingFreedom FreedomOf(const MotionObject& object, const std::vector<Constrain
     }
   }
   PartingFreedom freedom;
-  EaseOff(pose, EaseTime * time.FramesPerSecond, freedom.Turn);
-  EaseOff(place, EaseTime * time.FramesPerSecond, freedom.Shift);
+  EaseOff(pose, GivenEase * time.FramesPerSecond, freedom.Turn);
+  EaseOff(place, GivenEase * time.FramesPerSecond, freedom.Shift);
   return freedom;
 }
 

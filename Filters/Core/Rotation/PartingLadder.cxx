@@ -14,7 +14,6 @@ constexpr double AlongLine = 1e-6; // sine of an angle that asks for no axis
 constexpr double SamePlace = 1e-9; // m: bodies nearer than this have no line between them
 constexpr std::array<double, 6> Angles = { 4.0, 8.0, 13.0, 20.0, 30.0, 40.0 }; // degrees
 constexpr std::array<double, 5> Lengths = { 0.03, 0.06, 0.1, 0.15, 0.25 };     // of a body
-const double Degree = std::acos(-1.0) / 180.0;
 
 Vec3 LineOf(const PosedMesh& a, const PosedMesh& b)
 {
@@ -60,7 +59,7 @@ std::vector<PartingChange> TurnLadder(const PosedMesh& a, const PosedMesh& b)
   };
   for (const double degrees : Angles)
   {
-    const double angle = degrees * Degree;
+    const double angle = degrees / 180.0 * std::acos(-1.0);
     add(FlatAgainst(LineOf(a, b), a, angle), FlatAgainst(LineOf(a, b), b, angle));
     for (int axis = 0; axis < 3; ++axis)
     {

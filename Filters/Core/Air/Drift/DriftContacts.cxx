@@ -11,7 +11,7 @@ namespace waft
 
 namespace
 {
-constexpr double SamePlace = 1e-9; // m: bodies nearer than this have no line between them
+constexpr double OnePlace = 1e-9; // m: bodies nearer than this have no line between them
 }
 
 double PosedExtents::Needed(std::size_t a, std::size_t b, std::size_t frame, const Vec3& line) const
@@ -71,7 +71,7 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
                  {
                    const auto frame = static_cast<int>(f);
                    double distance = kept.At(frame, a, b);
-                   if (extents.Poses != nullptr && apart > SamePlace)
+                   if (extents.Poses != nullptr && apart > OnePlace)
                    {
                      const Vec3 line = (places[a] - places[b]) / apart;
                      distance = std::min(distance, extents.Needed(a, b, f, line));
