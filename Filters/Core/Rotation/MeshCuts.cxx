@@ -53,7 +53,7 @@ void TakeRests(const std::vector<Constraint>& rows, PosedMotion& motion)
     {
       continue;
     }
-    for (int f = std::max(FirstContact(row), 0); f <= std::min(LastFrame(row), frames - 1); ++f)
+    for (int f = std::max(FirstContact(row) + 1, 0); f <= std::min(LastFrame(row), frames - 1); ++f)
     {
       motion.Lies[found->second][static_cast<std::size_t>(f)] = 1;
     }

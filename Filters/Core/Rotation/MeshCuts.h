@@ -28,7 +28,7 @@ struct PosedMotion
   const std::vector<PoseTrack>* Poses = nullptr;
   std::vector<const MotionObject*> Objects; // by track
   const std::vector<ContactMesh>* Meshes = nullptr;
-  /// By track and frame: it lies, by a rest, from its first contact on; empty: none does.
+  /// By track and frame: it lies, by a rest, once it has touched; empty: none does.
   std::vector<std::vector<char>> Lies;
 
   std::size_t NumberOfFrames() const
