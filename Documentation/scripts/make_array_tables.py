@@ -32,14 +32,15 @@ NONE = "-"
 # By name, where a port gives no other. What is counted, numbered, named or a share has none.
 UNITS = {name: unit for unit, names in {
     "m": "CoreRadius ClearanceRadius RestHeight Shift Thickness Leash MaxViolation LargestRepair Translation Mean Coefficients Radius",
-    "m/s": "Velocity AirVelocity SPHVelocity Slip SettlingSpeed Control ControlRms ControlMedian FlowRms WindRms TopSpeed MeanWind",
+    "m/s": "Velocity AirVelocity SPHVelocity Slip SettlingSpeed Control ControlRms ControlMedian FlowRms WindRms TopSpeed MeanWind "
+           "BroadsideSpeed",
     "m/s^2": "Force VortexAcceleration WindAcceleration VortexForce WindForce ResidualForce Residual Wind",
     "m^2/s^2": "Strength",
     "s": "Time CenterTime Duration Seconds",
-    "1/s": "Vorticity Damping",
+    "1/s": "Vorticity Damping Follow",
     "rad/s": "AngularVelocity",
     "N m": "Torque",
-    "kg": "Mass",
+    "kg": "Mass SlippingMass",
     "kg/m^2": "AreaDensity",
     "Pa": "Pressure",
     "dx": "PositionResidual",
@@ -52,8 +53,8 @@ UNITS = {name: unit for unit, names in {
           "ReplayError GasReplayError GasHiddenHand RepairedFraction ParticleId Pass Iteration E Ex Ev Ec Clearance Approach Contact "
           "Separation EvObjects Fields E2 ShareVortices ShareWind ShareGas ShareDrag ShareLanding ShareNone Explained ExplainedLeftOut "
           "Density Obstacle Simulation Window Rank RelativeError Basis Medoid FirstChild NumberOfChildren NumberOfSegments Before After "
-          "IsConnectible Key Facing FaceUp",
-    "rad": "FacingTolerance",
+          "IsConnectible Key Facing FaceUp Lift RotationalLift PressureShift Pace",
+    "rad": "FacingTolerance Spin",
     "degrees": "Agreement",
 }.items() for name in names.split()}
 OF_THE_KIND = "of the kind"  # m, m/s, m/s^2 or rad, as the row's Kind says

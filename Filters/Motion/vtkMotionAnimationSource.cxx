@@ -302,6 +302,7 @@ waft::Result vtkMotionAnimationSource::Internals::KeepPoses()
   waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                    this->Made.Laid);
   waft::AddAgreement(this->Made.Turned.Away, this->Kept<vtkPolyData>(PosesPort));
+  waft::AddBodyFactors(this->Made.Turned.Factors, this->Kept<vtkPolyData>(PosesPort));
   waft::AddTouchDowns(this->Made.RowsAtLast(), this->Kept<vtkPolyData>(PosesPort));
   waft::ReportToTable(this->Made.Turned.Report, this->Scene,
                       this->Kept<vtkTable>(TurnedReportPort));

@@ -168,6 +168,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);
     waft::AddAgreement(this->Rotation.Away, this->Kept<vtkPolyData>(PosesPort));
+    waft::AddBodyFactors(this->Rotation.Factors, this->Kept<vtkPolyData>(PosesPort));
     waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
     waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
   }

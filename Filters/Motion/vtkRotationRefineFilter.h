@@ -23,7 +23,10 @@
  * [rad/s, world] and `Torque` [N m, world] at every frame, and by line `Shift` [m]: how far its
  * centre is moved from its track at most, so that the mesh lies on a surface; of poses that came
  * with `Slip` also `Agreement` (2, degrees), by line and of all as field data: median and 90th
- * percentile of how far half a second of turning in the air leads away from them.
+ * percentile of how far half a second of turning in the air leads away from them. What it turns and
+ * glides by, which differs between bodies of a shape, is there by line, too: `DragCoefficient`,
+ * `Lift`, `RotationalLift`, `PressureShift`, `Spin` [rad], `SlippingMass` [kg], `BroadsideSpeed`
+ * [m/s], `Damping`, `Follow` [1/s], `Pace`.
  * Output port 2, Report (vtkTable): one line for each orientation row, with the columns of the
  * planner's Report; `Residual` [rad] is measured on the poses, beyond the row's radius.
  *

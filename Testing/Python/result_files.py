@@ -5,6 +5,7 @@ import array
 import base64
 import collections
 import csv
+import lzma
 import math
 import pathlib
 import struct
@@ -20,6 +21,7 @@ POSITION, VELOCITY, ACCELERATION, ORIENTATION, REST = range(5)
 
 _TYPES = {"Float64": "d", "Float32": "f", "Int64": "q", "UInt64": "Q", "Int32": "i", "UInt32": "I",
           "Int16": "h", "UInt16": "H", "Int8": "b", "UInt8": "B"}
+_UNPACKERS = {None: None, "vtkZLibDataCompressor": zlib.decompress, "vtkLZMADataCompressor": lzma.decompress}
 
 
 def volume(scene):
@@ -47,34 +49,26 @@ def read_poses(path):
     return dict(tracks)
 
 
-class PolyData:
-    """points [(x, y, z)]; lines and polys [[point index]]; point, cell and field {name: [value or tuple]}."""
+class _XmlFile:
+    """A VTK file of one piece, and how its values are written."""
 
-    def __init__(self, path):
+    def __init__(self, path, kind):
         text, self._appended = _without_appended(pathlib.Path(path).read_bytes())
         root = ElementTree.fromstring(text)
         assert root.get("byte_order") == "LittleEndian" and sys.byteorder == "little", path
         self._header = {"UInt32": "I", "UInt64": "Q"}[root.get("header_type", "UInt32")]
-        self._compressed = root.get("compressor") == "vtkZLibDataCompressor"
+        self._unpack = _UNPACKERS[root.get("compressor")]
         entry = root.find("AppendedData")
         self._is_raw = entry is not None and entry.get("encoding") == "raw"
-        data = root.find("PolyData")
-        piece = data.find("Piece")
-        self.field = self._arrays(data.find("FieldData"))
-        self.point = self._arrays(piece.find("PointData"))
-        self.cell = self._arrays(piece.find("CellData"))
-        self.points = next(iter(self._arrays(piece.find("Points")).values()), [])
-        self.lines = self._cells(piece.find("Lines"))
-        self.polys = self._cells(piece.find("Polys"))
+        self._data = root.find(kind)
+        self._piece = self._data.find("Piece")
+        self.field = self._arrays(self._data.find("FieldData"))
+        self.point = self._arrays(self._piece.find("PointData"))
+        self.cell = self._arrays(self._piece.find("CellData"))
 
     def _arrays(self, parent):
         found = parent.findall("DataArray") if parent is not None else []
         return {a.get("Name"): self._values(a) for a in found if a.get("type") in _TYPES}
-
-    def _cells(self, parent):
-        arrays = self._arrays(parent)
-        starts = [0] + arrays.get("offsets", [])
-        return [arrays["connectivity"][a:b] for a, b in zip(starts, starts[1:])]
 
     def _values(self, entry):
         if entry.get("format") == "ascii":
@@ -94,7 +88,7 @@ class PolyData:
         def numbers(start, count):
             return struct.unpack(f"<{count}{self._header}", decode(text, start, count * size)[0])
 
-        if not self._compressed:
+        if self._unpack is None:
             length, = numbers(0, 1)
             return decode(text, 0, size + length)[0][size:]
         blocks, = numbers(0, 1)
@@ -103,9 +97,45 @@ class PolyData:
         packed, _ = decode(text, start, sum(lengths))
         result, place = b"", 0
         for length in lengths:
-            result += zlib.decompress(packed[place:place + length])
+            result += self._unpack(packed[place:place + length])
             place += length
         return result
+
+
+class PolyData(_XmlFile):
+    """points [(x, y, z)]; lines and polys [[point index]]; point, cell and field {name: [value or tuple]}."""
+
+    def __init__(self, path):
+        super().__init__(path, "PolyData")
+        self.points = next(iter(self._arrays(self._piece.find("Points")).values()), [])
+        self.lines = self._cells(self._piece.find("Lines"))
+        self.polys = self._cells(self._piece.find("Polys"))
+
+    def _cells(self, parent):
+        arrays = self._arrays(parent)
+        starts = [0] + arrays.get("offsets", [])
+        return [arrays["connectivity"][a:b] for a, b in zip(starts, starts[1:])]
+
+
+class ImageData(_XmlFile):
+    """dimensions (points along x, y, z), origin and spacing; point and field {name: [value or tuple]}, x fastest."""
+
+    def __init__(self, path):
+        super().__init__(path, "ImageData")
+        extent = [int(word) for word in self._data.get("WholeExtent").split()]
+        self.dimensions = tuple(high - low + 1 for low, high in zip(extent[::2], extent[1::2]))
+        spacing = [float(word) for word in self._data.get("Spacing").split()]
+        corner = [float(word) for word in self._data.get("Origin").split()]
+        self.origin = tuple(at + low * step for at, low, step in zip(corner, extent[::2], spacing))
+        self.spacing = tuple(spacing)
+
+
+def read_series(path):
+    """Times [s] of a .pvd and their files."""
+    entries = [(float(entry.get("timestep")), pathlib.Path(path).parent / entry.get("file"))
+               for entry in ElementTree.parse(path).iter("DataSet")]
+    times, files = zip(*sorted(entries))
+    return list(times), list(files)
 
 
 def _decode(text, start, length):

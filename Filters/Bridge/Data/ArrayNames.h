@@ -55,6 +55,15 @@ constexpr const char* RestHeight = "RestHeight";
 constexpr const char* Shift = "Shift";
 constexpr const char* Agreement = "Agreement"; // degrees; of all bodies as field data
 constexpr const char* Slip = "Slip";           // m/s, of a body relative to the air
+// What each turns and glides by, besides its shape's DragCoefficient and Damping, which vary, too.
+constexpr const char* Lift = "Lift";
+constexpr const char* RotationalLift = "RotationalLift";
+constexpr const char* PressureShift = "PressureShift"; // in half chords
+constexpr const char* Spin = "Spin";                   // rad
+constexpr const char* SlippingMass = "SlippingMass";
+constexpr const char* BroadsideSpeed = "BroadsideSpeed"; // m/s
+constexpr const char* Follow = "Follow";                 // 1/s
+constexpr const char* Pace = "Pace";
 
 // Shapes (field data of each block).
 constexpr const char* DragCoefficient = "DragCoefficient";

@@ -87,6 +87,31 @@ void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* dat
   }
 }
 
+void AddBodyFactors(const std::vector<BodyFactors>& factors, vtkPolyData* data)
+{
+  const std::pair<const char*, double BodyFactors::*> arrays[] = {
+    { names::DragCoefficient, &BodyFactors::Drag },
+    { names::Lift, &BodyFactors::Lift },
+    { names::RotationalLift, &BodyFactors::RotationalLift },
+    { names::PressureShift, &BodyFactors::PressureShift },
+    { names::Spin, &BodyFactors::Spin },
+    { names::SlippingMass, &BodyFactors::SlippingMass },
+    { names::BroadsideSpeed, &BodyFactors::BroadsideSpeed },
+    { names::Damping, &BodyFactors::Damping },
+    { names::Follow, &BodyFactors::Follow },
+    { names::Pace, &BodyFactors::Pace },
+  };
+  for (const auto& [name, member] : arrays)
+  {
+    std::vector<double> values;
+    for (const BodyFactors& body : factors)
+    {
+      values.push_back(body.*member);
+    }
+    AddDoubles(data->GetCellData(), name, values);
+  }
+}
+
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses)
 {

@@ -28,6 +28,8 @@ void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTra
 /// the 90th percentile of how far turning in the air leads away from poses that came with their
 /// path [rad, by line]; NaN of a line without. Nothing where no line has any.
 void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* data);
+/// Adds what bodies turn and glide by, a number of each line.
+void AddBodyFactors(const std::vector<BodyFactors>& factors, vtkPolyData* data);
 /// Needs `Orientation`; the other arrays are zero where absent.
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses);

@@ -253,6 +253,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
 
   std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
   result.Away.resize(input.Tracks.size());
+  result.Factors.resize(input.Tracks.size());
   const double most = MostTurn(options.MaximumTurn, input.Scene.Time); // rad a frame
   const auto turn = [&](std::size_t i, const auto& act)
   {
@@ -264,6 +265,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
       input.Glides || HasFlown(track) ? shape.Draw * LawOf(object).SettlingSpeed() : 0.0;
     const FlightBody body = glider.DrawnAt(draw);
     draw = body.Slips ? draw : 0.0;
+    result.Factors[i] = glider.FactorsAt(draw);
     AttitudePlan plan = MakePlan(input, options, object, track);
     plan.BoundingRadius = shape.Properties.BoundingRadius;
     plan.Glides = input.Glides;

@@ -47,13 +47,33 @@ double MeanFall(const std::function<Glider(std::size_t)>& glider, double speed,
 
 } // namespace
 
-FlightBody Glider::DrawnAt(double speed) const
+double Glider::SlippingMass(double speed) const
 {
   const double weight =
     0.5 * this->AirDensity * this->Coefficients.Drag * this->Panels.Area() * speed * speed;
-  const double moved = weight > 0.0 ? weight / StandardGravity : this->Mass;
-  return { this->Panels,     this->Properties,   this->Mass,    moved,
+  return weight > 0.0 ? weight / StandardGravity : this->Mass;
+}
+
+FlightBody Glider::DrawnAt(double speed) const
+{
+  return { this->Panels,     this->Properties,   this->Mass,    this->SlippingMass(speed),
            this->AirDensity, this->Coefficients, this->Damping, this->Follow };
+}
+
+BodyFactors Glider::FactorsAt(double speed) const
+{
+  BodyFactors factors;
+  factors.Drag = this->Coefficients.Drag;
+  factors.Lift = this->Coefficients.Lift;
+  factors.RotationalLift = this->Coefficients.RotationalLift;
+  factors.PressureShift = this->Coefficients.PressureShift;
+  factors.Spin = this->Coefficients.Spin;
+  factors.SlippingMass = this->SlippingMass(speed);
+  factors.BroadsideSpeed = speed;
+  factors.Damping = this->Damping * this->Pace;
+  factors.Follow = this->Follow * this->Pace;
+  factors.Pace = this->Pace;
+  return factors;
 }
 
 double DrawOverFall(const std::function<Glider(std::size_t)>& glider, double settlingSpeed,

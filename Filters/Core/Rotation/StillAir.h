@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Parallel.h"
+#include "Base/Pose.h"
 #include "Rotation/Flight.h"
 
 #include <functional>
@@ -24,6 +25,9 @@ struct Glider
   /// The body where its weight is its drag broadside at a speed [m/s]: the mass that slips is that
   /// of this weight.
   FlightBody DrawnAt(double speed) const;
+  /// kg, that slips then: that of this weight, or that turns at a speed of 0.
+  double SlippingMass(double speed) const;
+  BodyFactors FactorsAt(double speed) const;
 };
 
 /// The speed of the weight over the mean speed at which the body then falls through still air,
