@@ -14,10 +14,19 @@ import result_files
 
 GRAVITY = 9.80665  # m/s^2
 FRICTION = 1.0 / 6.0  # along the surface, of the drag broadside
+CREEPING = 2.0 / 3.0  # the same in creeping flow
+VISCOSITY = 1.8e-5  # Pa s
+FAST_REYNOLDS, FAST_DRAG = 133.0, 1.17  # from where on the drag of a disc is the same, and cd there
 NODES = 7  # of the table of what is hidden, on each side of a face of the cube of directions
 PIECES = 250  # of a mesh, at least
 STEPS = 5  # of Runge and Kutta's, a frame
 FORGOTTEN = 1.8  # s, in which drag forgets what it began with
+
+
+def disc_drag(reynolds):
+    """cd of a disc broadside."""
+    slow = np.maximum(reynolds, 1e-6)
+    return np.maximum(FAST_DRAG, 64.0 / (math.pi * slow) * (1.0 + 0.138 * slow**0.792))
 
 
 def cross_matrix(v):
@@ -164,15 +173,27 @@ class Plate:
         return ((1 - b) * ((1 - a) * self.seen[face, row, column] + a * self.seen[face, row, column + 1])
                 + b * ((1 - a) * self.seen[face, row + 1, column] + a * self.seen[face, row + 1, column + 1]))
 
-    def force(self, velocity, gradient, drag, lift, rotational_lift, density):
-        """In body axes [n, 3]."""
+    def reynolds(self, speed, density):
+        """By the disc of its area."""
+        return speed * 2.0 * math.sqrt(self.area / math.pi) * density / VISCOSITY
+
+    def force(self, velocity, gradient, drag, lift, rotational_lift, settling, density):
+        """In body axes [n, 3]. settling: the speed at which drag holds where the air, of this density, is sticky [m/s]."""
+        at_rest = self.reynolds(settling, density)
+        turning = 0.5 * np.sum(gradient**2, axis=(1, 2)) * np.trace(self.spread)
+        now = disc_drag(self.reynolds(np.sqrt(np.sum(velocity**2, axis=1) + turning), density))
+        is_sticky = at_rest < FAST_REYNOLDS
+        fast = np.where(is_sticky, FAST_DRAG / now, 1.0)
+        drag = drag * np.where(is_sticky, now / disc_drag(at_rest), 1.0)
+        friction = (fast * FRICTION + (1.0 - fast) * CREEPING)[:, None]
+        lift, rotational_lift = fast * lift, fast * rotational_lift
         w = velocity[:, None] + np.einsum("nij,pj->npi", gradient, self.places)
         speed = np.linalg.norm(w, axis=2) + 1e-12
         along = np.einsum("npi,pi->np", w, self.normals)
         across = w @ self.normal
         area = self.areas if self.seen is None else self.areas * self._visible(velocity)
         lift = (self.flatness * lift)[:, None]
-        rub = FRICTION * speed
+        rub = friction * speed
         push = along * (speed * (1.0 + lift) - lift * across**2 / speed) - rub * along
         loads = np.einsum("np,pi->ni", area * push, self.normals) + np.einsum("np,npi->ni", area * rub, w)
         spin = 0.5 * np.stack([gradient[:, 2, 1] - gradient[:, 1, 2], gradient[:, 0, 2] - gradient[:, 2, 0],
@@ -229,6 +250,8 @@ def recomputed(folder):
     meshes, lines, numbers = result_files.read_shape_meshes(folder), np.array(data.lines), data.cell["ObjectId"]
     poses, rates, flown = (np.array(data.point[name])[lines] for name in ("Orientation", "AngularVelocity", "Slip"))
     gradients = air_gradients(folder, np.array(data.points)[lines], step)
+    objects = result_files.PolyData(folder / "objects.vtp").point
+    settling = dict(zip(objects["ObjectId"], objects["SettlingSpeed"]))
     same = {}  # bodies of one shape
     for index, number in enumerate(numbers):
         if data.cell["BroadsideSpeed"][index] > 0.0:
@@ -237,6 +260,7 @@ def recomputed(folder):
     for which in same.values():
         twice = which + which
         of = {name: np.array(data.cell[name])[twice] for name in FACTORS}
+        of["SettlingSpeed"] = np.array([settling[numbers[index]] for index in twice])
         falling = np.array([[0.0, 0.0, -data.cell["BroadsideSpeed"][index]] for index in which])
         slips = slips_of(Plate(*meshes[numbers[which[0]]]), of, density, step, matrices(poses[twice]), rates[twice],
                          gradients[twice], np.concatenate([flown[which, 0], falling]))
@@ -253,7 +277,7 @@ def slips_of(plate, of, density, step, poses, rates, gradients, start):
     drawn = of["BroadsideSpeed"][:, None] * np.array([0.0, 0.0, -1.0])
     weight = of["SlippingMass"][:, None] * np.array([0.0, 0.0, -GRAVITY])
     pace, follow = of["Pace"][:, None], of["Follow"][:, None]
-    coefficients = [of[name] for name in ("DragCoefficient", "Lift", "RotationalLift")]
+    coefficients = [of[name] for name in ("DragCoefficient", "Lift", "RotationalLift", "SettlingSpeed")]
 
     def velocity_of(pose, momentum):
         return turned(inverse, turned(np.swapaxes(pose, -1, -2), momentum))

@@ -82,7 +82,8 @@ Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& 
   if (body.Slips)
   {
     // A plate broadside to its path is in balance with what draws it along; any other pose slips.
-    const Vec3 drawn = 0.5 * body.Coefficients.Drag * body.Panels->Area() * given.norm() * given;
+    const double drag = body.Coefficients.Drag * body.Coefficients.DragRatio(given.norm());
+    const Vec3 drawn = 0.5 * drag * body.Panels->Area() * given.norm() * given;
     const Vec3 wanted =
       Slope(path.RelativeVelocities, frame) / path.Step - body.Follow * (velocity - given);
     rates.Momentum =
@@ -241,7 +242,8 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
   const double speed = std::max(path.RelativeVelocities[frame].norm(),
                                 Between(path.RelativeVelocities, frame + 1.0).norm()) +
                        (body.Slips ? state.Velocity(body).norm() : 0.0) + spin * body.Reach;
-  const double rate = std::max({ spin, body.Mobility * speed, body.Stiffness * speed,
+  const double mobility = body.Mobility * body.Coefficients.DragRatio(speed);
+  const double rate = std::max({ spin, mobility * speed, body.Stiffness * speed,
                                  settling.Weight > 0.0 ? 2.0 * SettlingRate : 0.0 });
   const double wanted = std::ceil(path.Step * rate / StepOfRate);
   const int steps = static_cast<int>(

@@ -39,6 +39,18 @@ struct AirCoefficients
   double Separation = 1.0;     // fraction of the potential flow's moment that is lost broadside
   double Autorotation = 1.0;   // torque that keeps a turning plate turning
   double RotationalLift = 0.5; // C_R of Andersen, Pesavento, Wang 2005 (1.1 in two dimensions)
+  /// Of a body so small and slow that the air is sticky to it: the speed at which Drag holds, and
+  /// that of a Reynolds number of 1 [m/s]. 0: Drag holds at all speeds.
+  double DragSpeed = 0.0;
+  double StickySpeed = 0.0;
+
+  /// Drag in a flow that meets the body at a speed [m/s], over Drag: as cd of a disc goes by its
+  /// Reynolds number.
+  double DragRatio(double speed) const;
+  /// Those of that flow. As far as it is slower than one of which cd is the same at all speeds,
+  /// friction is that of a disc in creeping flow (edge-on 2/3 of broadside: Happel and Brenner
+  /// 1965, section 5-11), and what separated flow and circulation do is less.
+  AirCoefficients At(double speed) const;
 };
 
 /// Four panels side by side, so that the processor works on them together. Lanes beyond the last

@@ -21,6 +21,17 @@ double FastestTip(double aspect)
   return std::pow(finite * (2.0 - std::pow(aspect / (aspect + 0.595), 0.76)), 2.0 / 3.0);
 }
 
+constexpr double CreepingFriction = 2.0 / 3.0;
+constexpr double FastDiscDrag = 1.17;
+
+/// cd of a disc broadside (Clift, Grace, Weber 1978, Bubbles, Drops, and Particles, section 6.II).
+double DiscDrag(double reynolds)
+{
+  const double least = std::max(reynolds, 1e-6);
+  return std::max(FastDiscDrag,
+                  64.0 / (std::acos(-1.0) * least) * (1.0 + 0.138 * std::pow(least, 0.792)));
+}
+
 /// A number of four panels. By itself the type would be aligned as far as the processor needs, to
 /// another number of bytes in each clone.
 typedef double Lanes __attribute__((vector_size(32), aligned(32)));
@@ -152,6 +163,28 @@ WAFT_SIMD_CLONES void SumPaperLoads(const PanelPack* packs, std::size_t count,
 }
 } // namespace
 
+double AirCoefficients::DragRatio(double speed) const
+{
+  return this->StickySpeed > 0.0
+           ? DiscDrag(speed / this->StickySpeed) / DiscDrag(this->DragSpeed / this->StickySpeed)
+           : 1.0;
+}
+
+AirCoefficients AirCoefficients::At(double speed) const
+{
+  AirCoefficients here = *this;
+  if (this->StickySpeed > 0.0)
+  {
+    const double fast = FastDiscDrag / DiscDrag(speed / this->StickySpeed);
+    here.Drag *= this->DragRatio(speed);
+    here.Friction = fast * this->Friction + (1.0 - fast) * CreepingFriction;
+    here.Lift *= fast;
+    here.RotationalLift *= fast;
+    here.Autorotation *= fast;
+  }
+  return here;
+}
+
 PanelBody::Mixture PanelBody::Mix(const Vec3& direction) const
 {
   int axis = 0;
@@ -192,8 +225,10 @@ double PanelBody::ForeshortenedArea(const Vec3& direction) const
 }
 
 Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
-                           const AirCoefficients& coefficients) const
+                           const AirCoefficients& given) const
 {
+  const double turning = 0.5 * gradient.squaredNorm() * this->Spread.trace();
+  const AirCoefficients coefficients = given.At(std::sqrt(velocity.squaredNorm() + turning));
   const bool hides = this->HidesItself();
   const Mixture mixture = hides ? this->Mix(velocity) : Mixture{};
   const bool plate = coefficients.Model == AirModel::Plate;

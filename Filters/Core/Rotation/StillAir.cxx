@@ -49,8 +49,8 @@ double MeanFall(const std::function<Glider(std::size_t)>& glider, double speed,
 
 double Glider::SlippingMass(double speed) const
 {
-  const double weight =
-    0.5 * this->AirDensity * this->Coefficients.Drag * this->Panels.Area() * speed * speed;
+  const double drag = this->Coefficients.Drag * this->Coefficients.DragRatio(speed);
+  const double weight = 0.5 * this->AirDensity * drag * this->Panels.Area() * speed * speed;
   return weight > 0.0 ? weight / StandardGravity : this->Mass;
 }
 

@@ -6,12 +6,15 @@
 #include "Rotation/Pace.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace waft
 {
 namespace
 {
-constexpr double BrakedTime = 0.15; // s, before a touch-down and after a lift-off
+constexpr double AirViscosity = 1.8e-5; // Pa s
+constexpr double FastReynolds = 133.0;  // from which on a disc's drag has ceased to fall
+constexpr double BrakedTime = 0.15;     // s, before a touch-down and after a lift-off
 
 Vec3 Curl(const Mat3& gradient)
 {
@@ -29,6 +32,22 @@ AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& optio
   coefficients.Autorotation *= options.Roll;
   coefficients.Spin = options.Spin;
   return coefficients;
+}
+
+/// Where its Reynolds number, by the disc of its area, is below that of fast flow.
+void SetStickiness(double area, double speed, double airDensity, AirCoefficients& coefficients)
+{
+  if (coefficients.Model != AirModel::Plate || !(airDensity > 0.0) || !(speed > 0.0))
+  {
+    return;
+  }
+  const double diameter = 2.0 * std::sqrt(area / std::acos(-1.0));
+  const double sticky = AirViscosity / (airDensity * diameter);
+  if (speed < FastReynolds * sticky)
+  {
+    coefficients.DragSpeed = speed;
+    coefficients.StickySpeed = sticky;
+  }
 }
 
 /// No two leaves are cut alike.
@@ -52,7 +71,8 @@ Glider GliderOf(const RotationInput& input, const RotationOptions& options,
                 const PreparedShape& shape, const MotionObject& object)
 {
   const TurningLaw law = TurningLawOf(input.Shapes[static_cast<std::size_t>(object.ShapeId)]);
-  const AirCoefficients common = Coefficients(law, options);
+  AirCoefficients common = Coefficients(law, options);
+  SetStickiness(shape.Properties.Area, object.SettlingSpeed, input.Scene.AirDensity, common);
   Glider glider{ shape.Panels,
                  shape.Properties,
                  object.Mass,
