@@ -237,7 +237,7 @@ class Info(unittest.TestCase):
                 waiting += one.values()
             elif isinstance(one, list):
                 waiting += one
-        in_report = {"seconds", "processorSeconds", "peakMemoryMB", "before", "after", "largestShift", "in", "motion", "leftOut"}
+        in_report = {"seconds", "processorSeconds", "threadSeconds", "peakMemoryMB", "before", "after", "largestShift", "in", "motion", "leftOut"}
         self.assertGreater(len(named), 50)
         self.assertEqual([], [name for name in sorted(named - in_report) if f"`{name}`" not in page])
         self.assertEqual(set(cli.command.ANSWERING), set(ANSWERS["definitions"]) - {"result", "scene", "error"})

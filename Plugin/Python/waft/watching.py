@@ -87,27 +87,56 @@ def _line(text):
     return tail if separator and "(0x" in head else line
 
 
-class StageWatch:
-    """Follows one proxy's algorithm while it executes.
+class Effort:
+    """What work takes, from begin to end, added up.
 
-    Attributes: errors and warnings (each a line), seconds (wall time of its executions), processor_seconds (of all
-    the process's threads meanwhile), peak_mb (the process's peak memory when it ended), was_aborted.
+    Attributes: seconds (by the clock), processor_seconds (of all the process's threads), thread_seconds (of them those of the thread
+    that does it: what others could not help with is among them), peak_mb (the process's peak memory when it ended).
     """
 
+    def __init__(self):
+        self.seconds = 0.0
+        self.processor_seconds = 0.0
+        self.thread_seconds = 0.0
+        self.peak_mb = 0.0
+        self._began = None
+
+    def begin(self):
+        self._began = self._now()
+        return self
+
+    def end(self):
+        if self._began is not None:
+            clock, process, thread = (now - then for now, then in zip(self._now(), self._began))
+            self.seconds += clock
+            self.processor_seconds += process
+            self.thread_seconds += thread
+            self._began = None
+        self.peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+        return self
+
+    def as_json(self):
+        return {"seconds": self.seconds, "processorSeconds": self.processor_seconds, "threadSeconds": self.thread_seconds,
+                "peakMemoryMB": self.peak_mb}
+
+    @staticmethod
+    def _now():
+        return time.monotonic(), time.process_time(), time.thread_time()
+
+
+class StageWatch(Effort):
+    """Follows one proxy's algorithm while it executes: the effort, errors and warnings (each a line), was_aborted."""
+
     def __init__(self, name, proxy, clock, port=0):
+        super().__init__()
         self.name = name
         self.errors = []
         self.warnings = []
-        self.seconds = 0.0
-        self.processor_seconds = 0.0
-        self.peak_mb = 0.0
         self.was_aborted = False
         self.can_stop = False  # while the stage computes, not while it serves frames later
         self.clock = clock
-        self._started = None
-        self._shown = None
         self.algorithm = proxy.GetClientSideObject()
-        events = {"StartEvent": self._start, "EndEvent": self._end, "ProgressEvent": self._progress}
+        events = {"StartEvent": lambda *_: self.begin(), "EndEvent": lambda *_: self.end(), "ProgressEvent": self._progress}
         self._observers = [(self.algorithm, self.algorithm.AddObserver(event, take)) for event, take in events.items()]
         self._observers += [collect(self.algorithm, "ErrorEvent", self.errors),
                             collect(self.algorithm.GetExecutive(), "ErrorEvent", self.errors),
@@ -118,16 +147,6 @@ class StageWatch:
         for observed, observer in self._observers:
             observed.RemoveObserver(observer)
         self._observers = []
-
-    def _start(self, *_):
-        self._started = (time.monotonic(), time.process_time())
-
-    def _end(self, *_):
-        if self._started is not None:
-            self.seconds += time.monotonic() - self._started[0]
-            self.processor_seconds += time.process_time() - self._started[1]
-            self._started = None
-        self.peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
 
     def _progress(self, *_):
         if self.can_stop and self.clock.should_stop() and not self.was_aborted:

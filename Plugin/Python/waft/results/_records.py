@@ -19,7 +19,7 @@ def _list(items, **limits):
     return {"type": "array", "items": items, **limits}
 
 
-_STAGE = _object(seconds=_SECONDS, processorSeconds=_SECONDS, peakMemoryMB=_SECONDS)
+_STAGE = _object(seconds=_SECONDS, processorSeconds=_SECONDS, threadSeconds=_SECONDS, peakMemoryMB=_SECONDS)
 _STATUSES = {status: _COUNT for status in ("met", "infeasible", "conflict", "unreachable")}
 REPORT = _object("version scene seed", version=_TEXT, key=_TEXT, scene=_TEXT, title=_TEXT, quality=_TEXT, stoppedEarly=_YES, inertia=_YES,
                  warnings=_list(_TEXT),

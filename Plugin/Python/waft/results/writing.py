@@ -12,7 +12,7 @@ from waft.results.place import ResultPlace, settle
 from waft.results.store import Store
 from waft.run._qualities import WITHOUT
 from waft.texts import is_utf8
-from waft.watching import collect
+from waft.watching import Effort, collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
@@ -84,6 +84,8 @@ def read_rows(table):
 def write_results(run, place, checkpoint, is_shown_alone=False):
     """Every file of a Flight, all at once: see the user guide for what each holds. checkpoint: has the plan. is_shown_alone: those that a
     page is made of alone."""
+    efforts = {"stages": {name: watch.as_json() for name, watch in run.watches.items()}}  # before they serve what is written
+    writing = Effort().begin()
     checkpoint.copy_plan("planned.vtp")
     write_bodies(run, place)
     progress = _write_convergence(run, place)
@@ -96,7 +98,8 @@ def write_results(run, place, checkpoint, is_shown_alone=False):
     _write_animation(run, place)
     if not is_shown_alone:
         _write_fields(run, place, checkpoint)
-    place.commit(_summary(run, progress))
+    efforts["writing"] = writing.end().as_json()
+    place.commit(_summary(run, progress, efforts))
 
 
 def save_results(run, folder, is_shown_alone=False):
@@ -367,7 +370,7 @@ def _forces(pipeline, progress):
     return forces
 
 
-def _summary(run, progress):
+def _summary(run, progress, efforts):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in run.report:
         counts[row["Status"]] += 1
@@ -377,9 +380,7 @@ def _summary(run, progress):
         "title": str((found_json(run.scene_file) or {}).get("title", "")),
         "seed": run.seed,
         "key": run.key,
-        "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,
-                          "peakMemoryMB": watch.peak_mb}
-                   for name, watch in run.watches.items()},
+        **efforts,
         "quality": run.quality,
         "defaults": dict(run.request._defaults),
         "time": _time(run),
