@@ -28,6 +28,7 @@ from browser import PROGRAM, Browser  # noqa: E402
 from waft.failures import BadInput, WaftError  # noqa: E402
 from waft.files import write_json, write_pvd, write_xml  # noqa: E402
 from waft.page import write_page  # noqa: E402
+from waft.page import _thinning  # noqa: E402
 from waft.page import writing as pages  # noqa: E402
 from waft.page._pagedata import describe  # noqa: E402
 from waft.synthesis import synthesize  # noqa: E402
@@ -52,6 +53,19 @@ def setUpModule():
         write_xml(surface, FLOWN / f"box_{step}.vtp")
     write_pvd(FLOWN / "obstacles.pvd", [(0.0, "box_0.vtp"), (299 / 30, "box_1.vtp")])
     write_page(FLOWN)
+
+
+def _keys(animation):
+    """{number of an accessor: keys} of the times, places and turns of an animation.glb."""
+    size = int.from_bytes(animation[12:16], "little")
+    gltf, binary = json.loads(animation[20:20 + size]), animation[28 + size:]
+    samplers = gltf["animations"][0]["samplers"]
+    found = {}
+    for number in {sampler[end] for sampler in samplers for end in ("input", "output")}:
+        view = gltf["bufferViews"][gltf["accessors"][number]["bufferView"]]
+        data = binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]
+        found[number] = np.frombuffer(data, "<f4").reshape(gltf["accessors"][number]["count"], -1)
+    return found
 
 
 def _boxes(*bounds):
@@ -131,6 +145,22 @@ class ContentsTest(unittest.TestCase):
                     low, high = plan["low"][axis], plan["high"][axis]
                     value = low + (high - low) * steps[3 * (index * 300 + frame) + axis] / 65535
                     self.assertAlmostEqual(value, path[frame][axis], delta=1e-4)
+
+    def test_what_is_much_is_thinned_and_says_so(self):
+        whole, animation = describe(FLOWN)
+        with mock.patch.object(_thinning, "MOST_POSES", 48 * 300 // 3):
+            run, thin = describe(FLOWN)
+        self.assertEqual((1, 3, 100, 10.0), (whole["every"], run["every"], run["frames"], run["rate"]))
+        before, after = (_keys(content) for content in (animation, thin))
+        self.assertEqual(2 * 48 + 1, len(before))
+        for name, keys in before.items():
+            self.assertTrue(np.array_equal(keys[::3], after[name]), name)
+        self.assertLess(len(thin), len(animation) - 0.6 * sum(keys.nbytes for keys in before.values()))
+        plans = [np.frombuffer(base64.b64decode(each["plan"]["steps"]), "<u2").reshape(48, each["frames"], 3) for each in (whole, run)]
+        self.assertEqual(plans[0][:, ::3].tolist(), plans[1].tolist())
+        for mark, shown in zip(whole["marks"], run["marks"]):
+            self.assertEqual(mark["frame"], shown["frame"])
+            self.assertLessEqual(abs(3 * shown["shown"] - mark["frame"]), 2)
 
     def test_obstacles_move_and_the_ground_is_a_height(self):
         run, _, _ = contents(FLOWN)

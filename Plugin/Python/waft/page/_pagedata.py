@@ -9,6 +9,7 @@ import numpy as np
 
 from waft.beneath import Folder
 from waft.failures import BadInput
+from waft.page._thinning import interval, thinned
 from waft.reading import json_of, read_json
 from waft.results import _folder
 from waft.results._arrays import MOST_FRAMES, array_of, points_of, polylines
@@ -28,14 +29,25 @@ def describe(path, measured=None):
     folder = Folder(path)
     report = _report(folder)
     animation, ids, rate, frames = animation_of(folder)
+    every = interval(len(ids), frames)
     bounds = _folder.volume_of(folder)
     title = report.get("title") or report["scene"].removesuffix(".json").removesuffix(".waft")
     run = {"title": line(title), "scene": line(report["scene"]), "version": report["version"], "seed": report["seed"],
            "quality": quality_of(report.get("quality", "")), "stoppedEarly": report.get("stoppedEarly", False),
-           "rate": rate, "frames": frames, "bounds": bounds, "marks": marks_of(folder), "plan": _plan(folder, ids, frames),
-           "obstacles": _obstacles(folder, bounds, rate, frames), "energy": _energy(folder), "rounds": _rounds(folder),
+           "rate": rate / every, "frames": math.ceil(frames / every), "every": every, "bounds": bounds,
+           "marks": [_at_shown(mark, every, frames) for mark in marks_of(folder)], "plan": _plan(folder, ids, frames, every),
+           "obstacles": _obstacles(folder, bounds, rate, frames, every), "energy": _energy(folder), "rounds": _rounds(folder),
            "measured": _measured(folder, measured)}
-    return run, animation
+    return run, thinned(animation, every) if every > 1 else animation
+
+
+def _at_shown(mark, every, frames):
+    """A mark with its places at the nearest frames that are shown; `frame` is the run's, `shown` the page's."""
+    last = math.ceil(frames / every) - 1
+
+    def shown(frame):
+        return min(round(frame / every), last)
+    return {**mark, "shown": shown(mark["frame"]), "places": [[shown(frame), *place] for frame, *place in mark["places"]]}
 
 
 def _report(folder):
@@ -105,8 +117,8 @@ def marks_of(folder):
             for mark in _rows(folder, "constraints.csv", _MARK)]
 
 
-def _plan(folder, ids, frames):
-    """Planned places of the objects in order, 16 bits a number within their box; None without a plan."""
+def _plan(folder, ids, frames, every):
+    """Planned places of the objects in order, at every n-th frame, 16 bits a number within their box; None without a plan."""
     path = folder.found("planned.vtp")
     if path is None:
         return None
@@ -116,7 +128,7 @@ def _plan(folder, ids, frames):
     places = dict(zip(own.tolist(), points))
     if points.shape[1] != frames or not set(ids) <= places.keys():
         raise BadInput(f"{path}: expected the paths of the objects of animation.glb, {frames} frames each")
-    points = np.stack([places[number] for number in ids])
+    points = np.stack([places[number][::every] for number in ids])
     low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
     steps = np.rint(65535.0 * (points - low) / np.maximum(high - low, 1e-12)).astype("<u2")
     return {"low": low.tolist(), "high": high.tolist(), "steps": _base64(steps)}
@@ -126,11 +138,11 @@ def _base64(values):
     return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode()
 
 
-def _obstacles(folder, bounds, rate, frames):
-    """Surfaces as they stand at frame 0, and how far each is shifted at every frame; of the ground its height alone."""
+def _obstacles(folder, bounds, rate, frames, every):
+    """Surfaces as they stand at frame 0, and how far each is shifted at every n-th frame; of the ground its height alone."""
     return [{"ground": obstacle.ground, "points": _base64(obstacle.points.astype("<f4")),
              "triangles": _base64(obstacle.triangles.astype("<u4")),
-             "shifts": None if obstacle.shifts is None else _base64(obstacle.shifts.astype("<f4"))}
+             "shifts": None if obstacle.shifts is None else _base64(obstacle.shifts[::every].astype("<f4"))}
             for obstacle in _folder.moving_obstacles(folder, bounds, rate, frames)]
 
 

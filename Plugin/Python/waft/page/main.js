@@ -29,7 +29,7 @@ function begin() {
   byName("plots").append(...plots.filter(Boolean).map(({ root }) => root));
   if (run.measured) reportMeasured(run.measured);
   reportMarks(run, names, (mark) => {
-    player.seek(mark.frame);
+    player.seek(mark.shown);
     if (ids.has(mark.object)) follow(ids.get(mark.object));
     report(mark);
   });
@@ -44,7 +44,7 @@ function begin() {
   }
   function report(mark) {
     const who = names.get(mark.object) || "no object";
-    note(`${who}, frame ${mark.frame}: ${constraintText(mark)}: ${mark.status}` + (mark.message ? ` (${mark.message})` : ""));
+    note(`${who}, frame ${mark.frame}: ${constraintText(mark, run.every)}: ${mark.status}` + (mark.message ? ` (${mark.message})` : ""));
   }
 
   function follow(index) {

@@ -27,7 +27,7 @@ function tellFacts(run, objects, shapes) {
     ["marks met", `${met} of ${run.marks.length}`, met === run.marks.length ? "met" : "missed"],
     ["quality", run.quality + (run.stoppedEarly ? ", stopped early" : "")],
     ["seed", run.seed], ["scene", run.scene],
-    ["length", `${run.frames} frames, ${figure(run.rate)} a second`],
+    ["length", `${run.frames} frames, ${figure(run.rate)} a second` + (run.every > 1 ? `: one of each ${run.every} that were flown` : "")],
     ["Waft", run.version],
   ];
   byName("facts").append(...facts.flatMap(([name, value, kind = ""]) => [element("dt", name), element("dd", String(value), { className: kind })]));
@@ -48,8 +48,8 @@ function reportMeasured({ folder, tracks, rows, notes }) {
 const CONSTRAINTS = { rest: "lie", position: "pass", velocity: "velocity", acceleration: "acceleration", orientation: "turn" };
 const UNITS = { rest: "m", position: "m", velocity: "m/s", acceleration: "m/s²", orientation: "rad" };
 
-function constraintText(mark) {
-  return mark.kind === "position" && mark.places.length > 1 ? `path, to ${mark.places[mark.places.length - 1][0]}` : CONSTRAINTS[mark.kind] || mark.kind;
+function constraintText(mark, every) {
+  return mark.kind === "position" && mark.places.length > 1 ? `path, to ${mark.places[mark.places.length - 1][0] * every}` : CONSTRAINTS[mark.kind] || mark.kind;
 }
 
 function reportMarks(run, names, choose) {
@@ -62,7 +62,7 @@ function reportMarks(run, names, choose) {
     go.addEventListener("click", () => choose(mark));
     const status = element("td", mark.status, { className: `status ${mark.status}` });
     const row = element("tr", [status, element("td", go), element("td", String(mark.frame)),
-      element("td", constraintText(mark)), element("td", `${figure(mark.residual)} ${UNITS[mark.kind] || ""}`)]);
+      element("td", constraintText(mark, run.every)), element("td", `${figure(mark.residual)} ${UNITS[mark.kind] || ""}`)]);
     if (mark.message) row.title = mark.message;
     return row;
   }));
@@ -73,7 +73,7 @@ function drawTicks(svg, run) {
   const last = Math.max(run.frames - 1, 1);
   svg.setAttribute("viewBox", `0 0 ${last} 8`);
   const seen = new Set();
-  for (const { frame, status } of run.marks) {
+  for (const { shown: frame, status } of run.marks) {
     if (seen.has(`${frame} ${status}`)) continue;
     seen.add(`${frame} ${status}`);
     drawn("line", { x1: frame, x2: frame, y1: status === "met" ? 3 : 0, y2: 8, stroke: `var(--${status})`, "stroke-width": 2,

@@ -46,9 +46,9 @@ class Player {
   show() {
     const frame = Math.round(this.frame), seconds = (frame / this.run.rate).toFixed(1);
     this.slider.value = frame;
-    this.slider.setAttribute("aria-valuetext", `frame ${frame}, ${seconds} seconds`);
+    this.slider.setAttribute("aria-valuetext", `frame ${frame * this.run.every}, ${seconds} seconds`);
     if (this.reported !== frame)
-      byName("clock").replaceChildren(element("span", `frame ${frame} · `, { className: "wide" }), `${seconds} s`);
+      byName("clock").replaceChildren(element("span", `frame ${frame * this.run.every} · `, { className: "wide" }), `${seconds} s`);
     this.reported = frame;
     byName("play").setAttribute("aria-pressed", this.playing);
     byName("play").setAttribute("aria-label", this.playing ? "Pause" : "Play");
