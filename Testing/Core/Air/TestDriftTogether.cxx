@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace waft;
 
@@ -117,6 +118,47 @@ double Most(const std::vector<std::vector<double>>& residue)
 }
 
 } // namespace
+
+TEST(DriftTogether, ContactsAreThoseOfAllPairs)
+{
+  constexpr double Margin = 0.5;
+  constexpr std::size_t Many = 400;
+  Random random(8);
+  KeptDistances kept(30.0);
+  std::vector<std::vector<Vec3>> paths;
+  for (std::size_t o = 0; o < Many; ++o)
+  {
+    kept.AddBody(0.02 + 0.03 * (random.Uniform() < 0.2), 0.5, 2, {});
+    paths.emplace_back();
+    for (int f = 0; f < 2; ++f)
+    {
+      Vec3 x = random.InBox({ Vec3(-1.0, -0.4, -0.1), Vec3(1.0, 0.4, 0.1) });
+      x.x() = o % 3 == 0 ? 0.15 * std::round(x.x() / 0.15) : x.x(); // on a border of two strips
+      paths.back().push_back(x);
+    }
+  }
+  std::vector<std::tuple<int, std::size_t, std::size_t>> expected, found;
+  for (int f = 0; f < 2; ++f)
+  {
+    for (std::size_t a = 0; a < Many; ++a)
+    {
+      for (std::size_t b = a + 1; b < Many; ++b)
+      {
+        const double apart = (paths[a][std::size_t(f)] - paths[b][std::size_t(f)]).norm();
+        if (apart < (1.0 + Margin) * kept.Needed(a, b))
+        {
+          expected.emplace_back(f, a, b);
+        }
+      }
+    }
+  }
+  for (const DriftContact& contact : FindContacts(kept, paths, Margin, SerialFor()))
+  {
+    found.emplace_back(contact.Frame, contact.A, contact.B);
+  }
+  EXPECT_GT(expected.size(), 200u);
+  EXPECT_EQ(found, expected);
+}
 
 TEST(DriftTogether, EndsWhereNoChangeOfAnyBodyCostsLess)
 {

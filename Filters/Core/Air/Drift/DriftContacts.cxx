@@ -8,7 +8,6 @@
 
 namespace waft
 {
-
 namespace
 {
 constexpr double OnePlace = 1e-9; // m: bodies nearer than this have no line between them
@@ -51,6 +50,10 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
     widest = std::max(widest, kept.Needed(o, o));
   }
   const double reach = (1.0 + margin) * widest;
+  if (!(reach > 0.0))
+  {
+    return {};
+  }
   const std::size_t frames = paths.empty() ? 0 : paths.front().size();
   std::vector<std::vector<DriftContact>> byFrame(frames);
   parallel(frames,
