@@ -5,6 +5,7 @@
 #include "Base/FractionDone.h"
 #include "Base/ShapeMeasures.h"
 #include "Constraints/Rest.h"
+#include "Constraints/RowsOfObjects.h"
 #include "Rotation/Agreement.h"
 #include "Rotation/Attitude.h"
 #include "Rotation/Pace.h"
@@ -113,7 +114,7 @@ PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const R
 }
 
 AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options,
-                      const MotionObject& object, const Track& track)
+                      const RowsOfObjects& places, const MotionObject& object, const Track& track)
 {
   AttitudePlan plan;
   plan.Object = &object;
@@ -127,13 +128,14 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
   plan.TurningRate = options.TurningRate;
   plan.Tolerance = 1e-3 * input.Scene.Bounds.Width();
   const int last = static_cast<int>(track.Positions.size()) - 1;
-  for (const Constraint& row : input.Constraints)
+  for (const std::size_t place : places.Of(object.ObjectId))
   {
+    const Constraint& row = input.Constraints[place];
     // A row that an earlier stage found impossible does not bind; how near a position is come to
     // stays.
     const bool binds = row.Status == ConstraintStatus::Met ||
                        (row.Status == ConstraintStatus::Unreachable && IsPassing(row.Kind));
-    if (row.ObjectId != object.ObjectId || !binds || row.Frame < 0 || row.Frame > last)
+    if (!binds || row.Frame < 0 || row.Frame > last)
     {
       continue;
     }
@@ -251,6 +253,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     }
   }
 
+  const RowsOfObjects places(input.Constraints);
   std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
   result.Away.resize(input.Tracks.size());
   result.Factors.resize(input.Tracks.size());
@@ -266,7 +269,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     const FlightBody body = glider.DrawnAt(draw);
     draw = body.Slips ? draw : 0.0;
     result.Factors[i] = glider.FactorsAt(draw);
-    AttitudePlan plan = MakePlan(input, options, object, track);
+    AttitudePlan plan = MakePlan(input, options, places, object, track);
     plan.BoundingRadius = shape.Properties.BoundingRadius;
     plan.Glides = input.Glides;
     FlightPath path = MakePath(input, i, draw, glider.Pace);
@@ -325,7 +328,10 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
       }
     }
     turns.Add(outcome);
-    TakeRestTimes(outcome.Poses.ObjectId, outcome.Rests, result);
+    for (const std::size_t place : places.Of(outcome.Poses.ObjectId))
+    {
+      TakeRestTimes(outcome.Rests, result.Constraints[place]);
+    }
     result.Poses.push_back(std::move(outcome.Poses));
     result.Shifts.push_back(std::move(outcome.Shifts));
     tooFast.merge(outcome.TooFast);

@@ -75,17 +75,21 @@ void ReportFacings(const RotationInput& input,
                    RotationOutput& output)
 {
   constexpr double Rounding = 1e-6; // rad
+  std::map<int, const PoseTrack*> found;
+  for (const PoseTrack& own : output.Poses)
+  {
+    found[own.ObjectId] = &own;
+  }
   for (const Constraint& row : input.Constraints)
   {
-    const auto poses =
-      std::find_if(output.Poses.begin(), output.Poses.end(),
-                   [&](const PoseTrack& own) { return own.ObjectId == row.ObjectId; });
-    if (row.Facing.isZero() || !IsPassing(row.Kind) || poses == output.Poses.end() ||
-        row.Frame < 0 || row.Frame >= static_cast<int>(poses->Orientations.size()))
+    const auto own = found.find(row.ObjectId);
+    if (row.Facing.isZero() || !IsPassing(row.Kind) || own == found.end() || row.Frame < 0 ||
+        row.Frame >= static_cast<int>(own->second->Orientations.size()))
     {
       continue;
     }
-    const Vec3 axis = poses->Orientations[static_cast<std::size_t>(row.Frame)] * Vec3::UnitZ();
+    const Vec3 axis =
+      own->second->Orientations[static_cast<std::size_t>(row.Frame)] * Vec3::UnitZ();
     const double angle = std::atan2(axis.cross(row.Facing).norm(), axis.dot(row.Facing));
     ReportRow line;
     line.Row = row.Row;
@@ -111,18 +115,14 @@ void ReportFacings(const RotationInput& input,
   }
 }
 
-void TakeRestTimes(int objectId, const std::vector<RestTimes>& rests, RotationOutput& output)
+void TakeRestTimes(const std::vector<RestTimes>& rests, Constraint& row)
 {
   for (const RestTimes& rest : rests)
   {
-    for (Constraint& row : output.Constraints)
+    if (row.Row == rest.Row && row.Target == rest.Target && IsRest(row.Kind))
     {
-      if (row.ObjectId == objectId && row.Row == rest.Row && row.Target == rest.Target &&
-          IsRest(row.Kind))
-      {
-        row.TouchDown = rest.TouchDown;
-        row.Settled = rest.Settled;
-      }
+      row.TouchDown = rest.TouchDown;
+      row.Settled = rest.Settled;
     }
   }
 }

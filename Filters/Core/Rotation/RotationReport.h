@@ -25,8 +25,8 @@ void ReportFacings(const RotationInput& input,
                    const std::map<std::pair<int, int>, std::string>& tooFast,
                    RotationOutput& output);
 
-/// Says in an object's rows when its rests began.
-void TakeRestTimes(int objectId, const std::vector<RestTimes>& rests, RotationOutput& output);
+/// Says in a row of an object when its rests began.
+void TakeRestTimes(const std::vector<RestTimes>& rests, Constraint& row);
 
 /// A line for each rest of which that is known.
 void ReportRests(RotationOutput& output);

@@ -2,6 +2,7 @@
 #include "Air/Run/AirSetup.h"
 
 #include "Constraints/ConstraintCheck.h"
+#include "Constraints/RowsOfObjects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,7 @@ Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput&
   {
     objects[object.ObjectId] = &object;
   }
+  const RowsOfObjects places(run.Input.Constraints);
   for (const Track& track : run.Input.Tracks)
   {
     const auto object = objects.find(track.ObjectId);
@@ -56,12 +58,9 @@ Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput&
                            ", which Tracks has");
     }
     std::vector<Constraint> rows;
-    for (const Constraint& row : run.Input.Constraints)
+    for (const std::size_t place : places.Of(track.ObjectId))
     {
-      if (row.ObjectId != track.ObjectId)
-      {
-        continue;
-      }
+      const Constraint& row = run.Input.Constraints[place];
       if (IsBinding(row, output.Report))
       {
         rows.push_back(row);

@@ -2,8 +2,10 @@
 #include "Air/Run/AssimilationState.h"
 
 #include "Air/Field/PackedSeries.h"
+#include "Constraints/RowsOfObjects.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace waft
 {
@@ -46,22 +48,22 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
   seedless.Seed = -1;
   AssimilationOptions::VisitAir(around, seedless);
   key.Surroundings = around.Sum();
+  const RowsOfObjects places(input.Constraints);
+  std::unordered_map<int, const MotionObject*> objects;
+  for (const MotionObject& object : input.Objects)
+  {
+    objects[object.ObjectId] = &object;
+  }
   for (const Track& track : input.Tracks)
   {
     DigestStream wanted;
-    for (const MotionObject& object : input.Objects)
+    if (const auto object = objects.find(track.ObjectId); object != objects.end())
     {
-      if (object.ObjectId == track.ObjectId)
-      {
-        wanted.Values(object);
-      }
+      wanted.Values(*object->second);
     }
-    for (const Constraint& row : input.Constraints)
+    for (const std::size_t place : places.Of(track.ObjectId))
     {
-      if (row.ObjectId == track.ObjectId)
-      {
-        wanted.Values(row);
-      }
+      wanted.Values(input.Constraints[place]);
     }
     key.Ids.push_back(track.ObjectId);
     key.Wanted.push_back(wanted.Sum());
