@@ -37,29 +37,55 @@ bool AddWind(const AirContext& run, const HalfSeries& plain, const WindCorrectio
   return true;
 }
 
+// What a wind would have to be at a body in the middle of a step, so that it needs no control.
+struct Lack
+{
+  int Step;
+  Vec3 Place, Wind;
+};
+
+std::vector<Lack> LacksOf(const BodyProblem& body, const std::vector<Vec3>& path,
+                          const AirSampler& air, const WindCorrection& correction)
+{
+  const DriftProblem problem = body.In(air);
+  const std::vector<Vec3> controls = DriftControls(problem, air, path);
+  std::vector<Lack> lacks;
+  for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
+  {
+    const auto at = static_cast<std::size_t>(k);
+    if (IsFreeStep(problem, path, k))
+    {
+      const Vec3 middle = 0.5 * (path[at] + path[at + 1]);
+      lacks.push_back({ k, middle, controls[at] + correction.At(middle, k + 0.5) });
+    }
+  }
+  return lacks;
+}
+
 // The wind that would have made the controls needless: what it is at the bodies, and they.
 bool FitWind(const AirContext& run, const AirState& state, WindCorrection& correction,
              Monitor& monitor)
 {
   const AirBodies& bodies = state.Bodies;
   const AirSampler air(state.Sampled.Velocity);
+  std::vector<std::vector<Lack>> lacks(bodies.Size());
+  run.Parallel(bodies.Size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t o = begin; o < end; ++o)
+                 {
+                   lacks[o] = LacksOf(bodies.Problems[o], bodies.Paths[o], air, correction);
+                 }
+               });
   std::map<int, WindSamples> byFrame;
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  for (const std::vector<Lack>& own : lacks)
   {
-    const DriftProblem problem = bodies.Problems[o].In(air);
-    const std::vector<Vec3> controls = DriftControls(problem, air, bodies.Paths[o]);
-    for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
+    for (const Lack& lack : own)
     {
-      const auto at = static_cast<std::size_t>(k);
-      if (!IsFreeStep(problem, bodies.Paths[o], k))
-      {
-        continue;
-      }
-      const Vec3 middle = 0.5 * (bodies.Paths[o][at] + bodies.Paths[o][at + 1]);
-      WindSamples& samples = byFrame[k];
-      samples.Frame = k + 0.5;
-      samples.Positions.push_back(middle);
-      samples.Values.push_back(controls[at] + correction.At(middle, k + 0.5));
+      WindSamples& samples = byFrame[lack.Step];
+      samples.Frame = lack.Step + 0.5;
+      samples.Positions.push_back(lack.Place);
+      samples.Values.push_back(lack.Wind);
     }
   }
   std::vector<WindSamples> samples;

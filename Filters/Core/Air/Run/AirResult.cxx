@@ -6,6 +6,7 @@
 #include "Air/Run/BodyTurning.h"
 #include "Base/NumberText.h"
 #include "Constraints/ConstraintCheck.h"
+#include "Constraints/RowsOfObjects.h"
 
 #include <algorithm>
 #include <memory>
@@ -19,6 +20,21 @@ namespace
 {
 
 constexpr const char* Finished = "finish";
+
+// A body's way as it is now, and its control at each frame.
+void Describe(const BodyProblem& body, const AirSampler& air, Track& track,
+              std::vector<Vec3>& controls)
+{
+  const std::vector<Vec3> between = DriftControls(body.In(air), air, track.Positions);
+  controls.assign(track.Positions.size(), Vec3::Zero());
+  for (std::size_t f = 0; f < track.Positions.size(); ++f)
+  {
+    track.AirVelocities.push_back(air.At(static_cast<int>(f), track.Positions[f]));
+    const std::size_t before = f > 0 ? f - 1 : 0;
+    const std::size_t after = std::min(f, between.size() - 1);
+    controls[f] = 0.5 * (between[before] + between[after]);
+  }
+}
 
 } // namespace
 
@@ -52,9 +68,21 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
     output.Rounds.pop_back(); // of the run that this one goes on from
   }
   output.Rounds.push_back(RoundOf(run, state, Finished));
-  WarnOfLargeControls(bodies, state.Sampled.Velocity, output.Rounds.back().Flow, output.Warnings);
-  output.Tracks.clear(); // what was published
+  WarnOfLargeControls(run, bodies, state.Sampled.Velocity, output.Rounds.back().Flow,
+                      output.Warnings);
+  output.Tracks.assign(bodies.Size(), Track()); // in place of what was published
+  output.Controls.assign(bodies.Size(), {});
   const AirSampler air(state.Sampled.Velocity);
+  run.Parallel(bodies.Size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t o = begin; o < end; ++o)
+                 {
+                   output.Tracks[o] = FlownTrack(bodies, o);
+                   Describe(bodies.Problems[o], air, output.Tracks[o], output.Controls[o]);
+                 }
+               });
+  const RowsOfObjects places(output.Constraints);
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
     if (!clear[o])
@@ -64,24 +92,12 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
                                 NumberText(bodies.Problems[o].Object().ClearanceRadius) +
                                 " m: give its marks more room beside what is in the way");
     }
-    Track track = FlownTrack(bodies, o);
-    const DriftProblem problem = bodies.Problems[o].In(air);
-    const std::vector<Vec3> between = DriftControls(problem, air, track.Positions);
-    std::vector<Vec3> controls(track.Positions.size(), Vec3::Zero());
-    for (std::size_t f = 0; f < track.Positions.size(); ++f)
+    for (const std::size_t place : places.Of(bodies.Problems[o].Object().ObjectId))
     {
-      track.AirVelocities.push_back(air.At(static_cast<int>(f), track.Positions[f]));
-      const std::size_t before = f > 0 ? f - 1 : 0;
-      const std::size_t after = std::min(f, between.size() - 1);
-      controls[f] = 0.5 * (between[before] + between[after]);
-    }
-    output.Tracks.push_back(std::move(track));
-    output.Controls.push_back(std::move(controls));
-    for (Constraint& row : output.Constraints)
-    {
+      Constraint& row = output.Constraints[place];
       for (const Constraint& own : bodies.Problems[o].Rows())
       {
-        if (own.Row == row.Row && own.Target == row.Target && own.ObjectId == row.ObjectId)
+        if (own.Row == row.Row && own.Target == row.Target)
         {
           row.TouchDown = own.TouchDown;
           row.LiftOff = own.LiftOff;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/AirRounds.h"
 
-#include "Air/Drift/ResidualControl.h"
 #include "Constraints/ConstraintCheck.h"
 
 #include <algorithm>
@@ -51,23 +50,37 @@ double WindAlong(const BodyProblem& body, const WindCorrection& correction, cons
 
 } // namespace
 
+std::vector<ResidualControl> ResidualControlsOf(const AirContext& run, const AirBodies& bodies,
+                                                const HalfSeries& series)
+{
+  const AirSampler air(series);
+  std::vector<ResidualControl> residuals(bodies.Size());
+  run.Parallel(residuals.size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t o = begin; o < end; ++o)
+                 {
+                   residuals[o] = ResidualControlOf(bodies.Problems[o], air, bodies.Paths[o]);
+                 }
+               });
+  return residuals;
+}
+
 AssimilationRound RoundOf(const AirContext& run, const AirState& state, const std::string& stage,
                           const WindCorrection* correction)
 {
   const AirBodies& bodies = state.Bodies;
   const AirSampler air(state.Sampled.Velocity);
   const std::size_t count = bodies.Size();
-  std::vector<ResidualControl> residuals(count);
+  const std::vector<ResidualControl> residuals =
+    ResidualControlsOf(run, bodies, state.Sampled.Velocity);
   std::vector<double> winds(count, 0.0);
-  run.Parallel(count,
+  run.Parallel(correction ? count : 0,
                [&](std::size_t begin, std::size_t end)
                {
                  for (std::size_t o = begin; o < end; ++o)
                  {
-                   residuals[o] = ResidualControlOf(bodies.Problems[o], air, bodies.Paths[o]);
-                   winds[o] = correction
-                                ? WindAlong(bodies.Problems[o], *correction, air, bodies.Paths[o])
-                                : 0.0;
+                   winds[o] = WindAlong(bodies.Problems[o], *correction, air, bodies.Paths[o]);
                  }
                });
   ResidualControl all;
@@ -93,14 +106,14 @@ AssimilationRound RoundOf(const AirContext& run, const AirState& state, const st
   return row;
 }
 
-void WarnOfLargeControls(const AirBodies& bodies, const HalfSeries& series, double flow,
-                         std::vector<std::string>& warnings)
+void WarnOfLargeControls(const AirContext& run, const AirBodies& bodies, const HalfSeries& air,
+                         double flow, std::vector<std::string>& warnings)
 {
-  const AirSampler air(series);
+  const std::vector<ResidualControl> residuals = ResidualControlsOf(run, bodies, air);
   std::size_t warned = 0;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    const ResidualControl residual = ResidualControlOf(bodies.Problems[o], air, bodies.Paths[o]);
+    const ResidualControl& residual = residuals[o];
     const double part = flow > 0.0 ? residual.Rms(residual.Control) / flow : 0.0;
     if (part <= LargeControl || ++warned > MostWarnings)
     {

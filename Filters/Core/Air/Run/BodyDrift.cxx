@@ -3,7 +3,7 @@
 
 #include "Air/Drift/DriftTogether.h"
 #include "Air/Drift/FreeLanding.h"
-#include "Air/Drift/ResidualControl.h"
+#include "Air/Run/AirRounds.h"
 #include "Base/FractionDone.h"
 #include "Base/ShapeMeasures.h"
 
@@ -139,14 +139,12 @@ bool SeekPaths(const AirContext& run, const HalfSeries& series, const std::vecto
 bool SeekAgain(const AirContext& run, const HalfSeries& series, AirBodies& bodies,
                PartMonitor& monitor)
 {
-  const AirSampler air(series);
-  std::vector<ResidualControl> residuals;
+  const std::vector<ResidualControl> residuals = ResidualControlsOf(run, bodies, series);
   ResidualControl all;
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  for (const ResidualControl& residual : residuals)
   {
-    residuals.push_back(ResidualControlOf(bodies.Problems[o], air, bodies.Paths[o]));
-    all.Flow += residuals.back().Flow;
-    all.Steps += residuals.back().Steps;
+    all.Flow += residual.Flow;
+    all.Steps += residual.Steps;
   }
   std::vector<char> which;
   for (const ResidualControl& residual : residuals)
