@@ -156,7 +156,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   const std::vector<unsigned char> isUsed = AssignAndJudge(input, tools->Library, output);
   // Who wants the rows judged and nothing flown stops here: the first flight may take long.
   bool goesOn = monitor.Tick(0.04, "Planning");
-  ScenePlans plans = RecallPlans(input, options.Seed, output.Constraints, isUsed, memory);
+  ScenePlans plans = RecallPlans(input, options, output.Constraints, isUsed, memory);
   if (goesOn)
   {
     const Result flown = FlyUnknown(input, options, *tools, output.Constraints, isUsed, parallelFor,

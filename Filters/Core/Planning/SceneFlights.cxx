@@ -225,8 +225,10 @@ Result FlyUnknown(const PlanInput& input, const PlanOptions& options, const Plan
   FlightWatch watch;
   Flights flights(input, options, tools, rows, isUsed, watch);
   Queue queue(std::move(unknown));
+  TreeRoom trees(plans, options);
   const auto keep = [&](std::size_t i, ObjectPlan plan)
   {
+    trees.Take(i, plan);
     plans.Plans[i] = std::move(plan);
     plans.IsDone[i] = !watch.Stop;
     ++watch.Done;

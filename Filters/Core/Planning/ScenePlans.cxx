@@ -52,9 +52,53 @@ ObjectPlan WithOrdinals(ObjectPlan plan, const std::vector<int>& own)
   return plan;
 }
 
+/// As many at least: of a plan whose trees were dropped, those to its marks.
+std::size_t BranchesOf(const ObjectPlan& plan)
+{
+  std::size_t count = 0;
+  for (const SpanTrees& span : plan.Spans)
+  {
+    count += span.Trees[0].size() + span.Trees[1].size();
+  }
+  for (std::size_t k = 0; plan.Spans.empty() && k < plan.Outcomes.size(); ++k)
+  {
+    count += static_cast<std::size_t>(plan.Outcomes[k].NumberOfBranches);
+  }
+  return count;
+}
+
+std::size_t LimitOf(const PlanOptions& options)
+{
+  return static_cast<std::size_t>(std::max(0, options.MaximumNumberOfStoredBranches));
+}
+
 } // namespace
 
-ScenePlans RecallPlans(const PlanInput& input, std::uint64_t seed,
+TreeRoom::TreeRoom(const ScenePlans& plans, const PlanOptions& options) :
+  Branches(plans.Plans.size(), Unknown), Limit(LimitOf(options))
+{
+  for (std::size_t i = 0; i < this->Branches.size(); ++i)
+  {
+    this->Branches[i] = plans.IsKnown[i] ? BranchesOf(plans.Plans[i]) : Unknown;
+  }
+}
+
+void TreeRoom::Take(std::size_t object, ObjectPlan& plan)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Branches[object] = BranchesOf(plan);
+  if (this->Leading <= object && this->Sum >= this->Limit)
+  {
+    plan.Spans = {};
+  }
+  for (; this->Leading < this->Branches.size() && this->Branches[this->Leading] != Unknown;
+       ++this->Leading)
+  {
+    this->Sum += this->Branches[this->Leading];
+  }
+}
+
+ScenePlans RecallPlans(const PlanInput& input, const PlanOptions& options,
                        const std::vector<Constraint>& rows,
                        const std::vector<unsigned char>& isUsed, PlanCache* memory)
 {
@@ -64,12 +108,14 @@ ScenePlans RecallPlans(const PlanInput& input, std::uint64_t seed,
   plans.IsKnown.assign(count, 0);
   plans.IsDone = std::vector<std::atomic<bool>>(count);
   plans.Plans.resize(count);
+  std::size_t branches = 0; // of those before, at least
   for (std::size_t i = 0; memory != nullptr && i < count; ++i)
   {
     plans.Keys.push_back(PlanKey(input.Objects[i], rows, plans.OwnRows[i], input.Guides));
-    const ObjectPlan* known = memory->Find(seed, input.Objects[i].ObjectId, plans.Keys[i]);
-    if (known != nullptr)
+    const ObjectPlan* known = memory->Find(options.Seed, input.Objects[i].ObjectId, plans.Keys[i]);
+    if (known != nullptr && !(known->Spans.empty() && branches < LimitOf(options)))
     {
+      branches += BranchesOf(*known);
       plans.Plans[i] = WithRows(*known, plans.OwnRows[i]);
       plans.IsKnown[i] = 1;
       plans.IsDone[i] = true;

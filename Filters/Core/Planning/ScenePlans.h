@@ -6,6 +6,8 @@
 #include "Planning/PlanCache.h"
 
 #include <atomic>
+#include <cstddef>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,27 @@ struct ScenePlans
   std::vector<ObjectPlan> Plans;
 };
 
-/// isUsed: one a row, whether it is to be met. memory may be null: then nothing is known.
-ScenePlans RecallPlans(const PlanInput& input, std::uint64_t seed,
+/// Of all search trees no more than some first branches are given out. Those of objects that come
+/// after so many are dropped as soon as that is known: they would take most of the memory.
+class TreeRoom
+{
+public:
+  TreeRoom(const ScenePlans& plans, const PlanOptions& options);
+  /// The plan of an object is there. Of any thread.
+  void Take(std::size_t object, ObjectPlan& plan);
+
+private:
+  std::mutex Guard;
+  std::vector<std::size_t> Branches; // by object, or
+  static constexpr std::size_t Unknown = ~std::size_t(0);
+  std::size_t Leading = 0; // objects, whose branches are all known,
+  std::size_t Sum = 0;     // and how many these are at least
+  std::size_t Limit;
+};
+
+/// isUsed: one a row, whether it is to be met. memory may be null: then nothing is known. Nor is
+/// what lacks trees that may have to be given out now.
+ScenePlans RecallPlans(const PlanInput& input, const PlanOptions& options,
                        const std::vector<Constraint>& rows,
                        const std::vector<unsigned char>& isUsed, PlanCache* memory);
 

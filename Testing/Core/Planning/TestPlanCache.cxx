@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 using namespace waft;
@@ -218,6 +219,20 @@ TEST(PlanCache, EveryTakeIsRemembered)
   {
     EXPECT_EQ(again[k].Score, alone[k].Score);
   }
+}
+
+TEST(PlanCache, TreesThatThereWasNoRoomForAreGrownWhereThereIs)
+{
+  Remembered all;
+  all.Options.MaximumNumberOfStoredBranches = 40;
+  const PlanOutput before = all.Run(&all.Memory);
+  EXPECT_EQ(before.Trees.size(), 40u);
+  EXPECT_EQ(TextOf(before), TextOf(all.Run(nullptr)));
+  // The last ones come first now, without the trees that they had.
+  std::reverse(all.Scene.Objects.begin(), all.Scene.Objects.end());
+  const PlanOutput after = all.Run(&all.Memory);
+  EXPECT_NE(after.Trees.front().ObjectId, before.Trees.front().ObjectId);
+  EXPECT_EQ(TextOf(after), TextOf(all.Run(nullptr)));
 }
 
 TEST(PlanCache, KeepsToItsLimit)
