@@ -8,6 +8,7 @@
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/SharedArrays.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/KeptStage.h"
@@ -21,6 +22,7 @@
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
@@ -118,18 +120,24 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
                                                       waft::Monitor& monitor)
 {
   this->Solution = waft::AssimilationOutput();
-  waft::AssimilationInput input;
-  WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
-  const waft::SolidsOn solids = [&input](const waft::SmokeOptions& smoke)
-  { return waft::NodeSolids(input.Obstacles, smoke); };
-  WAFT_RETURN_IF_FAILED(
-    waft::AssimilateAir(input, waft::OptionsOf<waft::AssimilationOptions>(*this->Self), solids,
-                        waft::SmpFor(), monitor, this->Solution, &this->Memory));
+  {
+    waft::AssimilationInput input;
+    WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
+    const waft::SolidsOn solids = [&input](const waft::SmokeOptions& smoke)
+    { return waft::NodeSolids(input.Obstacles, smoke); };
+    WAFT_RETURN_IF_FAILED(
+      waft::AssimilateAir(input, waft::OptionsOf<waft::AssimilationOptions>(*this->Self), solids,
+                          waft::SmpFor(), monitor, this->Solution, &this->Memory));
+  }
   this->Rejoin();
   this->Warnings = this->Solution.Warnings;
   auto* tracks = this->Kept<vtkPolyData>(TracksPort);
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
   waft::AddControls(this->Solution.Controls, tracks);
+  this->Solution.Tracks = {}; // many, and the output has them
+  this->Solution.Controls = {};
+  waft::ShareEqualArrays(vtkPolyData::GetData(inputs[PlannedPort])->GetPointData(),
+                         tracks->GetPointData());
   waft::AddTouchDowns(this->Solution.Constraints, tracks);
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
                            this->Kept<vtkPolyData>(VorticesPort));

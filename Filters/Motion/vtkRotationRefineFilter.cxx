@@ -8,6 +8,7 @@
 #include "Bridge/Data/PoseData.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/SharedArrays.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Files/ShapeColors.h"
 #include "Bridge/Pipeline/KeptStage.h"
@@ -22,6 +23,7 @@
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
@@ -165,6 +167,8 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     this->Warnings = this->Rotation.Warnings;
     waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
                           this->Kept<vtkPolyData>(PosesPort));
+    waft::ShareEqualArrays(vtkPolyData::GetData(inputs[TracksPort])->GetPointData(),
+                           this->Kept<vtkPolyData>(PosesPort)->GetPointData());
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);
     waft::AddAgreement(this->Rotation.Away, this->Kept<vtkPolyData>(PosesPort));

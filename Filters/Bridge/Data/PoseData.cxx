@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace waft
@@ -29,17 +30,20 @@ void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTra
                      const SceneInfo& info, vtkPolyData* data)
 {
   TracksToPolyData(tracks, info, data);
-  std::vector<Quat> orientations;
-  std::vector<Vec3> spins, torques;
-  for (const PoseTrack& pose : poses)
+  // Array by array, so that but one of them is there twice.
+  const auto joined = [&](auto member)
   {
-    orientations.insert(orientations.end(), pose.Orientations.begin(), pose.Orientations.end());
-    spins.insert(spins.end(), pose.AngularVelocities.begin(), pose.AngularVelocities.end());
-    torques.insert(torques.end(), pose.Torques.begin(), pose.Torques.end());
-  }
-  AddQuaternions(data->GetPointData(), names::Orientation, orientations);
-  AddVectors(data->GetPointData(), names::AngularVelocity, spins);
-  AddVectors(data->GetPointData(), names::Torque, torques);
+    std::decay_t<decltype(PoseTrack().*member)> all;
+    all.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
+    for (const PoseTrack& pose : poses)
+    {
+      all.insert(all.end(), (pose.*member).begin(), (pose.*member).end());
+    }
+    return all;
+  };
+  AddQuaternions(data->GetPointData(), names::Orientation, joined(&PoseTrack::Orientations));
+  AddVectors(data->GetPointData(), names::AngularVelocity, joined(&PoseTrack::AngularVelocities));
+  AddVectors(data->GetPointData(), names::Torque, joined(&PoseTrack::Torques));
 }
 
 namespace

@@ -13,7 +13,9 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace waft
 {
@@ -67,16 +69,33 @@ Result ReadOptional(const ArraySource& source, const char* name, std::vector<int
 void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, vtkPolyData* data)
 {
   const Vec3 zero = Vec3::Zero();
-  std::vector<Vec3> positions, velocities, vortex, wind, forces, air, sph, residual, slips, spins;
-  std::vector<Quat> orientations;
-  std::vector<int> frames, vortexIds, objectIds;
+  std::size_t samples = 0;
+  for (const Track& track : tracks)
+  {
+    samples += track.Positions.size();
+  }
+  // Array by array, so that but one of them is there twice.
+  const auto joined = [&](auto member, const auto& fallback)
+  {
+    std::vector<std::decay_t<decltype(fallback)>> all;
+    all.reserve(samples);
+    for (const Track& track : tracks)
+    {
+      Append(track.*member, track.Positions.size(), fallback, all);
+    }
+    return all;
+  };
+  const auto has = [&](auto member)
+  {
+    return std::any_of(tracks.begin(), tracks.end(),
+                       [&](const Track& track) { return !(track.*member).empty(); });
+  };
+  std::vector<Vec3> velocities;
+  std::vector<int> frames, objectIds;
   std::vector<double> times;
-  std::vector<ForceType> types;
-  bool hasForces = false;
-  bool hasAir = false;
-  bool hasSph = false;
-  bool hasResidual = false;
-  bool hasSlip = false;
+  velocities.reserve(samples);
+  frames.reserve(samples);
+  times.reserve(samples);
   vtkNew<vtkCellArray> lines;
   for (const Track& track : tracks)
   {
@@ -84,71 +103,52 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
     lines->InsertNextCell(static_cast<int>(count));
     for (std::size_t k = 0; k < count; ++k)
     {
-      lines->InsertCellPoint(static_cast<vtkIdType>(positions.size() + k));
+      lines->InsertCellPoint(static_cast<vtkIdType>(frames.size()));
       frames.push_back(static_cast<int>(k));
       times.push_back(info.Time.Time(static_cast<double>(k)));
     }
     const std::vector<Vec3> v = CentralVelocities(track.Positions, info.Time.Step());
-    positions.insert(positions.end(), track.Positions.begin(), track.Positions.end());
     velocities.insert(velocities.end(), v.begin(), v.end());
-    Append(track.ForceTypes, count, ForceType::None, types);
-    Append(track.VortexIds, count, -1, vortexIds);
-    Append(track.VortexAccelerations, count, zero, vortex);
-    Append(track.WindAccelerations, count, zero, wind);
-    Append(track.Forces, count, zero, forces);
-    Append(track.AirVelocities, count, zero, air);
-    Append(track.SphVelocities, count, zero, sph);
-    Append(track.Residuals, count, zero, residual);
-    Append(track.Slips, count, zero, slips);
-    Append(track.Orientations, count, Quat(Quat::Identity()), orientations);
-    Append(track.AngularVelocities, count, zero, spins);
-    hasForces = hasForces || !track.Forces.empty();
-    hasAir = hasAir || !track.AirVelocities.empty();
-    hasSph = hasSph || !track.SphVelocities.empty();
-    hasResidual = hasResidual || !track.Residuals.empty();
-    hasSlip = hasSlip || !track.Slips.empty();
     objectIds.push_back(track.ObjectId);
-  }
-  std::vector<unsigned char> typeBytes;
-  for (const ForceType type : types)
-  {
-    typeBytes.push_back(static_cast<unsigned char>(type));
   }
 
   data->Initialize();
   vtkNew<vtkPoints> points;
-  SetPoints(points, positions);
+  SetPoints(points, joined(&Track::Positions, zero));
   data->SetPoints(points);
   data->SetLines(lines);
   vtkPointData* arrays = data->GetPointData();
-  AddInts(arrays, names::Frame, frames);
-  AddDoubles(arrays, names::Time, times);
-  AddVectors(arrays, names::Velocity, velocities);
+  AddInts(arrays, names::Frame, std::exchange(frames, {}));
+  AddDoubles(arrays, names::Time, std::exchange(times, {}));
+  AddVectors(arrays, names::Velocity, std::exchange(velocities, {}));
+  std::vector<unsigned char> typeBytes;
+  for (const ForceType type : joined(&Track::ForceTypes, ForceType::None))
+  {
+    typeBytes.push_back(static_cast<unsigned char>(type));
+  }
   AddBytes(arrays, names::ForceType, typeBytes);
-  AddInts(arrays, names::VortexId, vortexIds);
-  AddVectors(arrays, names::VortexAcceleration, vortex);
-  AddVectors(arrays, names::WindAcceleration, wind);
-  if (hasForces)
+  AddInts(arrays, names::VortexId, joined(&Track::VortexIds, -1));
+  AddVectors(arrays, names::VortexAcceleration, joined(&Track::VortexAccelerations, zero));
+  AddVectors(arrays, names::WindAcceleration, joined(&Track::WindAccelerations, zero));
+  const std::pair<const char*, std::vector<Vec3> Track::*> optional[] = {
+    { names::Force, &Track::Forces },
+    { names::AirVelocity, &Track::AirVelocities },
+    { names::SPHVelocity, &Track::SphVelocities },
+    { names::Residual, &Track::Residuals },
+  };
+  for (const auto& [name, member] : optional)
   {
-    AddVectors(arrays, names::Force, forces);
+    if (has(member))
+    {
+      AddVectors(arrays, name, joined(member, zero));
+    }
   }
-  if (hasAir)
+  if (has(&Track::Slips))
   {
-    AddVectors(arrays, names::AirVelocity, air);
-  }
-  if (hasSph)
-  {
-    AddVectors(arrays, names::SPHVelocity, sph);
-  }
-  if (hasResidual)
-  {
-    AddVectors(arrays, names::Residual, residual);
-  }
-  if (hasSlip)
-  {
-    AddVectors(arrays, names::Slip, slips);
-    AddQuaternions(arrays, names::Orientation, orientations);
-    AddVectors(arrays, names::AngularVelocity, spins);
+    AddVectors(arrays, names::Slip, joined(&Track::Slips, zero));
+    AddQuaternions(arrays, names::Orientation,
+                   joined(&Track::Orientations, Quat(Quat::Identity())));
+    AddVectors(arrays, names::AngularVelocity, joined(&Track::AngularVelocities, zero));
   }
   AddInts(data->GetCellData(), names::ObjectId, objectIds);
   SceneInfoToFieldData(info, data);
@@ -165,51 +165,62 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const s
   }
   const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
   const ArraySource cells{ data->GetCellData(), input, data->GetNumberOfCells() };
-  std::vector<Vec3> positions, vortex, wind, forces, air, sph, residual, slips, spins;
-  std::vector<Quat> orientations;
-  std::vector<int> ids, types, vortexIds;
-  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), input, positions));
-  WAFT_RETURN_IF_FAILED(ReadInts(cells, names::ObjectId, ids));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::ForceType, types));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::VortexId, vortexIds));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::VortexAcceleration, vortex));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::WindAcceleration, wind));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Force, forces));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::AirVelocity, air));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::SPHVelocity, sph));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Residual, residual));
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Slip, slips));
-  if (!slips.empty())
+  std::vector<Track> read(static_cast<std::size_t>(data->GetNumberOfCells()));
+  // Array by array, so that but one of them is there twice.
+  const auto take = [&](const auto& all, auto member)
   {
-    WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
-    WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins));
+    vtkNew<vtkIdList> line;
+    for (std::size_t cell = 0; !all.empty() && cell < read.size(); ++cell)
+    {
+      data->GetCellPoints(static_cast<vtkIdType>(cell), line);
+      read[cell].*member = Pick(all, line);
+    }
+  };
+  {
+    std::vector<Vec3> positions;
+    WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), input, positions));
+    take(positions, &Track::Positions);
   }
+  std::vector<int> ids, types, vortexIds;
+  WAFT_RETURN_IF_FAILED(ReadInts(cells, names::ObjectId, ids));
+  for (std::size_t cell = 0; cell < read.size(); ++cell)
+  {
+    read[cell].ObjectId = ids[cell];
+  }
+  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::ForceType, types));
   std::vector<ForceType> forceTypes;
   for (const int type : types)
   {
     forceTypes.push_back(static_cast<ForceType>(std::clamp(type, 0, 2)));
   }
-
-  std::vector<Track> read;
-  vtkNew<vtkIdList> line;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  take(forceTypes, &Track::ForceTypes);
+  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::VortexId, vortexIds));
+  take(vortexIds, &Track::VortexIds);
+  const std::pair<const char*, std::vector<Vec3> Track::*> vectors[] = {
+    { names::VortexAcceleration, &Track::VortexAccelerations },
+    { names::WindAcceleration, &Track::WindAccelerations },
+    { names::Force, &Track::Forces },
+    { names::AirVelocity, &Track::AirVelocities },
+    { names::SPHVelocity, &Track::SphVelocities },
+    { names::Residual, &Track::Residuals },
+  };
+  for (const auto& [name, member] : vectors)
   {
-    data->GetCellPoints(cell, line);
-    Track track;
-    track.ObjectId = ids[static_cast<std::size_t>(cell)];
-    track.Positions = Pick(positions, line);
-    track.ForceTypes = Pick(forceTypes, line);
-    track.VortexIds = Pick(vortexIds, line);
-    track.VortexAccelerations = Pick(vortex, line);
-    track.WindAccelerations = Pick(wind, line);
-    track.Forces = Pick(forces, line);
-    track.AirVelocities = Pick(air, line);
-    track.SphVelocities = Pick(sph, line);
-    track.Residuals = Pick(residual, line);
-    track.Slips = Pick(slips, line);
-    track.Orientations = Pick(orientations, line);
-    track.AngularVelocities = Pick(spins, line);
-    read.push_back(std::move(track));
+    std::vector<Vec3> all;
+    WAFT_RETURN_IF_FAILED(ReadOptional(points, name, all));
+    take(all, member);
+  }
+  std::vector<Vec3> slips;
+  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Slip, slips));
+  take(slips, &Track::Slips);
+  if (!slips.empty())
+  {
+    std::vector<Quat> orientations;
+    WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
+    take(orientations, &Track::Orientations);
+    std::vector<Vec3> spins;
+    WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins));
+    take(spins, &Track::AngularVelocities);
   }
   tracks = std::move(read);
   return Result::Ok();
