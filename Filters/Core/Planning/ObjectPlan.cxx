@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace waft
@@ -27,7 +28,8 @@ public:
 
 private:
   void PlanFlight(std::size_t from, int lastFrame, int attempt = 0);
-  void ReturnFrom(std::size_t mark, const ObjectProgress& start);
+  bool ReturnFrom(std::size_t mark, const ObjectProgress& start);
+  void Settle(std::size_t spans);
   void Draw(const Mark& from, Mark& to);
   SpanEnd EndAt(std::size_t mark, bool isGoal) const;
   bool IsDrawn(std::size_t mark) const;
@@ -37,6 +39,7 @@ private:
   const SceneInfo& Scene;
   const ObjectPlanOptions& Options;
   ObjectProgress Now;
+  std::vector<SpanTrees> Settled; // of flights that stay, before those of Now
 };
 
 ObjectPlanner::ObjectPlanner(const SegmentLibrary& library, const MotionObject& object,
@@ -198,8 +201,8 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame, int attempt)
 
 /// The flight on from a mark found no way: it may have come there too fast, or head on to a wall.
 /// Other flights to the mark are tried, from the progress before them; what there is stays when
-/// none leads on.
-void ObjectPlanner::ReturnFrom(std::size_t mark, const ObjectProgress& start)
+/// none leads on, and it is false.
+bool ObjectPlanner::ReturnFrom(std::size_t mark, const ObjectProgress& start)
 {
   const ObjectProgress found = this->Now;
   for (int attempt = 1; attempt <= PlannerNumbers::Returns; ++attempt)
@@ -211,11 +214,22 @@ void ObjectPlanner::ReturnFrom(std::size_t mark, const ObjectProgress& start)
       this->PlanFlight(mark, found.Way.Marks[mark + 1].Frame, attempt);
       if (this->Now.LastReached)
       {
-        return;
+        return true;
       }
     }
   }
   this->Now = found;
+  return false;
+}
+
+/// So many spans more stay, wherever it is returned to: a copy of the progress with all trees would
+/// take the longer the more there are.
+void ObjectPlanner::Settle(std::size_t spans)
+{
+  std::vector<SpanTrees>& all = this->Now.Plan.Spans;
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(spans);
+  std::move(all.begin(), end, std::back_inserter(this->Settled));
+  all.erase(all.begin(), end);
 }
 
 ObjectPlan ObjectPlanner::Run()
@@ -225,6 +239,7 @@ ObjectPlan ObjectPlanner::Run()
   const int last = this->Scene.Time.NumberOfFrames - 1;
   this->Now.Fix(0, marks.front().Position);
   std::optional<ObjectProgress> before; // the flight that came here, when another one may
+  std::size_t shared = 0;               // spans that are the same in it as in Now, from the first
   for (std::size_t i = 0; i < marks.size(); ++i)
   {
     if (this->Now.Way.Marks[i].IsRest)
@@ -245,11 +260,18 @@ ObjectPlan ObjectPlanner::Run()
     }
     else
     {
-      ObjectProgress here = this->Now;
-      this->PlanFlight(i, marks[i + 1].Frame);
-      if (!this->Now.LastReached && !this->Now.IsRuledOut && before)
+      if (before)
       {
-        this->ReturnFrom(i, *before);
+        std::vector<SpanTrees>& spans = before->Plan.Spans;
+        spans.erase(spans.begin(), spans.begin() + static_cast<std::ptrdiff_t>(shared));
+      }
+      this->Settle(before ? shared : this->Now.Plan.Spans.size());
+      ObjectProgress here = this->Now;
+      shared = here.Plan.Spans.size();
+      this->PlanFlight(i, marks[i + 1].Frame);
+      if (!this->Now.LastReached && !this->Now.IsRuledOut && before && this->ReturnFrom(i, *before))
+      {
+        shared = 0;
       }
       const Mark& reached = this->Now.Way.Marks[i + 1];
       if (this->Now.LastReached && !reached.IsRest && !reached.Halts)
@@ -274,6 +296,8 @@ ObjectPlan ObjectPlanner::Run()
   this->Now.Plan.Positions =
     ClearPath(this->Now.Field, this->Now.Warp, clearing, united,
               this->Now.Warp.Rows.empty() ? separate : united, this->Now.Plan.Shortfall);
+  this->Settle(this->Now.Plan.Spans.size());
+  this->Now.Plan.Spans = std::move(this->Settled);
   return std::move(this->Now.Plan);
 }
 
