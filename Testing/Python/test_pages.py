@@ -80,6 +80,7 @@ LEFT = {
     ("Paper.md", "pvpython Documentation/scripts/paper_table.py"): "Python.SixStages runs it on a small result",
     ("Paper.md", "pvpython Documentation/scripts/paper_switches.py"): "Python.SixStages flies each switch of it on a small scene",
     ("Performance.md", "Testing/Benchmarks/all"): "benchmarks, for an hour",
+    ("Performance.md", "Testing/Benchmarks/growth"): "flights of all sizes, for hours",
     ("Pipeline.md", "pvpython Documentation/examples/six_stages.py"): BY_HAND,
     ("RotationRefineFilter.md", "X = F a b^2"): FORMULA,
     ("RotationRefineFilter.md", "w = v + D r"): FORMULA,
