@@ -572,7 +572,8 @@ int vtkMotionAnimationSource::RequestInformation(vtkInformation*, vtkInformation
   setExtent(AirPort, draws,
             draws ? waft::AirLatticeDimensions(info.Bounds, this->Impl->Options().Air)
                   : std::array<int, 3>{ 0, 0, 0 });
-  setExtent(WindPort, optimises, waft::WindLatticeDimensions(info.Bounds));
+  setExtent(WindPort, optimises,
+            waft::WindLatticeDimensions(info.Bounds, this->Impl->Options().Optimiser));
   return 1;
 }
 

@@ -284,7 +284,8 @@ int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVec
   waft::SceneInfo info;
   std::set<std::string> lacking;
   (void)waft::SceneOfInputs(this, inputs, PlannedPort, info, lacking);
-  const std::array<int, 3> n = waft::WindLatticeDimensions(info.Bounds);
+  const std::array<int, 3> n =
+    waft::WindLatticeDimensions(info.Bounds, waft::OptionsOf<waft::SpacetimeOptions>(*this));
   const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
   outputs->GetInformationObject(WindPort)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
                                                extent, 6);

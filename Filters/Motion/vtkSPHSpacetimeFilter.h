@@ -82,6 +82,8 @@ public:
   WaftFlag(EstimateWind);
   WaftFlag(FitVortexFields);
   WaftProperty(int, MaximumNumberOfVortices);
+  WaftProperty(int, WindCells);
+  WaftProperty(double, FieldRidge);
   WaftProperty(int, Passes);
   WaftFlag(UseLeash);
   WaftProperty(int, LeashIterations);

@@ -60,12 +60,16 @@ class SixStagesTest(unittest.TestCase):
                         np.testing.assert_array_equal(vtk_to_numpy(found[name]), vtk_to_numpy(values))
 
     def test_the_report_says_what_moved_the_objects(self):
-        forces = json.loads((self.run_dir / "report.json").read_text(encoding="utf-8"))["forces"]
+        report = json.loads((self.run_dir / "report.json").read_text(encoding="utf-8"))
+        forces = report["forces"]
         self.assertEqual(["vortices", "wind", "gas", "drag", "landing", "none"], list(forces))
         self.assertAlmostEqual(1.0, sum(force["share"] for force in forces.values()), places=6)
         for name, force in forces.items():  # what makes up the motion by a share has some size
             self.assertGreaterEqual(force["square"], force["share"] ** 2 * (1.0 - 1e-9), name)
         self.assertTrue(-1.0 < forces["vortices"]["part"] < 1.0)
+        for kind in ("all", "gas"):  # the fields were solved for the one, and say something of the other
+            solved, left_out = (report["fieldsExplained"][kind][which] for which in ("solved", "leftOut"))
+            self.assertTrue(0.0 < left_out < 1.0 and 0.0 < solved < 1.0, kind)
 
     def test_every_port_of_the_page_is_there(self):
         """The table of the page names, port by port, arrays that the data have."""
@@ -103,6 +107,7 @@ class SixStagesTest(unittest.TestCase):
     def test_each_switch_of_the_paper_changes_the_flight(self):
         script = runpy.run_path(str(SOURCE / "Documentation" / "scripts" / "paper_switches.py"))
         script["SWITCHES"]["windows"]["Spacetime"]["WindowLength"] = 20
+        script["SWITCHES"]["lattice x 2"]["Spacetime"]["WindCells"] = 7
         poses = {}
         for name, settings in script["SWITCHES"].items():
             short = {"Spacetime": {**six_stages_small.SHORT, **settings.get("Spacetime", {})}}

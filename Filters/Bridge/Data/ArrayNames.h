@@ -185,6 +185,7 @@ constexpr const char* RepairedFraction = "RepairedFraction";
 constexpr const char* LargestRepair = "LargestRepair";
 constexpr const char* ForceSquares = "ForceSquares";
 constexpr const char* VorticesPart = "VorticesPart";
+constexpr const char* FieldsExplained = "FieldsExplained";
 
 } // namespace names
 } // namespace waft

@@ -104,6 +104,12 @@ void OptimisedToPolyData(const SpacetimeOutput& solution, const SceneInfo& info,
     {
       AddDoubles(data->GetFieldData(), names::VorticesPart, { solution.VorticesPart });
     }
+    if (const FieldsPart& part = solution.Explained; !std::isnan(part.All[0]))
+    {
+      AddDoubles(
+        data->GetFieldData(), names::FieldsExplained,
+        { part.All[0], part.All[1], part.Objects[0], part.Objects[1], part.Gas[0], part.Gas[1] });
+    }
   }
 }
 

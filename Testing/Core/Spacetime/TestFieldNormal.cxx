@@ -5,7 +5,7 @@
 #include "Spacetime/Paper/ClosedCurl.h"
 #include "Spacetime/Paper/FieldNormal.h"
 #include "Spacetime/Paper/FieldUpdates.h"
-#include "Spacetime/Paper/VorticesPart.h"
+#include "Spacetime/Paper/FieldsPart.h"
 #include "Spacetime/Run/Spacetime.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "SpacetimeScenes.h"
@@ -253,7 +253,7 @@ TEST(FieldNormal, AgreesWithADenseSolve)
     }
   }
   matrix = Eigen::MatrixXd(matrix.selfadjointView<Eigen::Lower>());
-  const FieldPenalty penalty;
+  const FieldPenalty penalty(model);
   const double mean = MeanNodeWeight(model, solved.Wind, static_cast<int>(knots));
   const Eigen::MatrixXd inSpace =
     curl.transpose() * (PenaltyInSpace(solved.Wind, penalty).OfVectors() * curl);
@@ -475,4 +475,30 @@ TEST(FieldNormal, ExplainsBodiesThatAreLeftOut)
   std::printf("[ figure ] explained of those that count %.3f, of those left out %.3f\n", counted,
               others);
   EXPECT_GT(others, 0.7 * counted);
+  const FieldsPart part = PartOfFields(objective, state, FieldChoice(), ThreadedFor(2));
+  EXPECT_NEAR(part.All[0], counted, 1e-9);
+  EXPECT_NEAR(part.All[1], others, 1e-9);
+  EXPECT_EQ(PartOfFields(objective, state, FieldChoice(), SerialFor()).All, part.All);
+  EXPECT_LT(part.All[0], std::max(part.Objects[0], part.Gas[0]));
+}
+
+// More coefficients, and such as cost less, explain more of what they are solved for.
+TEST(FieldNormal, FinerLatticesAndSmallerRidgesExplainMore)
+{
+  FieldProblem problem(FieldScene(), 300);
+  const StateVector& state = problem.Setup.Start;
+  SpacetimeModel& model = problem.Setup.Model;
+  SpacetimeTerms terms;
+  problem.Objective.Evaluate(state, nullptr, terms);
+  const auto explained = [&](int cells, double ridge)
+  {
+    model.WindNodes = WindLatticeOf(problem.Input.Scene.Bounds.Size(), cells);
+    model.FieldRidge = ridge;
+    return PartOfFields(problem.Objective, state, FieldChoice(), SerialFor()).All[0];
+  };
+  const double usual = explained(5, 0.05);
+  EXPECT_GT(usual, 0.0);
+  EXPECT_GT(explained(5, 0.005), usual);
+  EXPECT_GT(explained(8, 0.05), usual);
+  EXPECT_LT(explained(5, 5.0), usual);
 }

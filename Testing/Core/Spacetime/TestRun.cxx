@@ -266,7 +266,7 @@ TEST(RunSpacetime, FillsItsOutputs)
   }
   EXPECT_GT(wind, 0.0);
   EXPECT_LE(std::sqrt(wind), 2.0 * std::sqrt(vortex));
-  EXPECT_EQ(output.Wind.Dimensions, WindLatticeDimensions(input.Scene.Bounds));
+  EXPECT_EQ(output.Wind.Dimensions, WindLatticeDimensions(input.Scene.Bounds, options));
   ASSERT_TRUE(output.Wind.Validate("wind"));
   ASSERT_EQ(output.Particles.Frames.size(), 50u);
   for (const auto& frame : output.Particles.Frames)

@@ -103,6 +103,20 @@ TEST(WarmStart, SaysSoWhenNothingCanBeBettered)
   EXPECT_GT(output.Convergence.back().E, 0.95 * output.Convergence.front().E);
 }
 
+TEST(WarmStart, BeginsAnewWithAWindOnAnotherLattice)
+{
+  const SpacetimeInput input = Scene();
+  SpacetimeWarmStart memory;
+  SpacetimeOptions options = QuickOptions();
+  RunScene(input, options, 2, &memory);
+  options.WindCells = 4;
+  const SpacetimeOutput output = RunScene(input, options, 2, &memory);
+  EXPECT_EQ(output.Convergence.front().Stage, "initial");
+  EXPECT_EQ(output.Wind.Dimensions, WindLatticeDimensions(input.Scene.Bounds, options));
+  options.FieldRidge = 0.005;
+  EXPECT_EQ(RunScene(input, options, 2, &memory).Convergence.front().Stage, "so far");
+}
+
 TEST(WarmStart, TakesInVorticesThatSomebodyMoved)
 {
   SpacetimeInput input = Scene();

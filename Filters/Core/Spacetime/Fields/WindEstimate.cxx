@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/Fields/WindEstimate.h"
 
+#include "Spacetime/Model/SpacetimeOptions.h"
+
 #include <cmath>
 
 namespace waft
@@ -16,10 +18,9 @@ std::array<int, 3> LatticeDimensions(const Vec3& cells)
   return dimensions;
 }
 
-std::array<int, 3> WindLatticeOf(const Vec3& size)
+std::array<int, 3> WindLatticeOf(const Vec3& size, int cells)
 {
-  constexpr double CellsAlongWidth = 5.0;
-  return LatticeDimensions(size * CellsAlongWidth / size.maxCoeff());
+  return LatticeDimensions(size * static_cast<double>(cells) / size.maxCoeff());
 }
 
 SplineWind MakeLattice(const Vec3& size, const std::array<int, 3>& dimensions, double framesPerKnot)
@@ -38,7 +39,9 @@ SplineWind MakeLattice(const Vec3& size, const std::array<int, 3>& dimensions, d
 SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot)
 {
   return MakeLattice(model.Size,
-                     model.WindNodes[0] > 0 ? model.WindNodes : WindLatticeOf(model.Size),
+                     model.WindNodes[0] > 0
+                       ? model.WindNodes
+                       : WindLatticeOf(model.Size, SpacetimeOptions().WindCells),
                      framesPerKnot);
 }
 

@@ -20,9 +20,9 @@ struct WindOptions
 /// Nodes of a lattice of about so many cells along each axis; two at least.
 std::array<int, 3> LatticeDimensions(const Vec3& cells);
 
-/// Nodes of the wind's lattice over a volume of that size: five cells along the longest side, and
-/// half a cell beyond each wall.
-std::array<int, 3> WindLatticeOf(const Vec3& size);
+/// Nodes of the wind's lattice over a volume of that size: so many cells along the longest side,
+/// and half a cell beyond each wall.
+std::array<int, 3> WindLatticeOf(const Vec3& size, int cells);
 
 /// A lattice of quadratic B-splines over a volume of that size [dx], without knots.
 SplineWind MakeLattice(const Vec3& size, const std::array<int, 3>& dimensions,

@@ -76,6 +76,7 @@ struct SpacetimeModel
 
   AirFields Fields;                        // that a run begins with
   std::array<int, 3> WindNodes{ 0, 0, 0 }; // of its lattice; zero: from Size
+  double FieldRidge = 0.05;                // of vortices and wind (Paper/FieldPenalty.h)
   SplineWind Background;                   // the user's
   /// Where there is one, velocities are deviations from it in all of E but the positions' steps, no
   /// other field acts, and objects go with the air and settle in it: their DragRates are 1, their

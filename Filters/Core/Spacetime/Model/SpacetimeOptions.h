@@ -27,6 +27,8 @@ struct SpacetimeOptions : TermWeights
   bool EstimateWind = true;
   bool FitVortexFields = true;
   int MaximumNumberOfVortices = 16;
+  int WindCells = 5;
+  double FieldRidge = 0.05;
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
@@ -124,6 +126,21 @@ struct SpacetimeOptions : TermWeights
                    "How many of the vortices that the planned paths bring stir the air, the "
                    "strongest of each place and time first; those of the scene itself always do." },
       of.MaximumNumberOfVortices...);
+    visit(OptionField{ "WindCells",
+                       { 2, 10 },
+                       "",
+                       "Cells of the estimated wind's lattice along the longest side of the "
+                       "volume. With the default a solve for it takes a second, with 10 minutes "
+                       "and 4 GB." }
+            .Without("Air"),
+          of.WindCells...);
+    visit(OptionField{ "FieldRidge",
+                       { 1e-6, 10 },
+                       "",
+                       "What an acceleration of vortices and estimated wind costs, over what "
+                       "leaving as much unexplained costs." }
+            .Without("Air"),
+          of.FieldRidge...);
   }
 
   /// What else decides on the result: how E is minimised.

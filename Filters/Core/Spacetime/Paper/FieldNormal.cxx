@@ -55,7 +55,7 @@ FieldNormal::FieldNormal(const SpacetimeModel& model, const AirFields& fields,
   Choice(choice),
   Lattice(MakeWindLattice(model, WindOptions().FramesPerKnot))
 {
-  const FieldPenalty penalty;
+  const FieldPenalty penalty(model);
   const int knots = KnotsOf(model, this->Lattice.FramesPerKnot);
   const double weight = MeanNodeWeight(model, this->Lattice, knots);
   for (std::size_t n = 0; n < fields.Vortices.size() && choice.Vortices; ++n)

@@ -82,7 +82,7 @@ double FieldCost(const SpacetimeModel& model, const AirFields& fields)
   {
     return 0.0;
   }
-  const FieldPenalty penalty;
+  const FieldPenalty penalty(model);
   const SplineWind lattice = MakeWindLattice(model, WindOptions().FramesPerKnot);
   const int knots = KnotsOf(model, lattice.FramesPerKnot);
   double sum = 0.0;

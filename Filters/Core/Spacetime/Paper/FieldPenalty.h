@@ -14,7 +14,9 @@ namespace waft
 /// is.
 struct FieldPenalty
 {
-  double Ridge = 0.05;
+  explicit FieldPenalty(const SpacetimeModel& model) : Ridge(model.FieldRidge) {}
+
+  double Ridge;
   double Curvature = 0.3;     // on second differences in space
   double TimeSmoothing = 0.3; // on first differences in time
 };

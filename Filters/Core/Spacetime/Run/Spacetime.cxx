@@ -28,9 +28,9 @@ Result Solve(const SpacetimeInput& input, const SpacetimeOptions& options,
 
 } // namespace
 
-std::array<int, 3> WindLatticeDimensions(const Box& volume)
+std::array<int, 3> WindLatticeDimensions(const Box& volume, const SpacetimeOptions& options)
 {
-  return WindLatticeOf(volume.Size());
+  return WindLatticeOf(volume.Size(), options.WindCells);
 }
 
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,

@@ -18,7 +18,7 @@ namespace waft
 struct SpacetimeWarmStart; // SpacetimeWarmStart.h
 
 /// Points of the lattice on which the wind is estimated and handed out; it spans the volume.
-std::array<int, 3> WindLatticeDimensions(const Box& volume);
+std::array<int, 3> WindLatticeDimensions(const Box& volume, const SpacetimeOptions& options);
 
 /// Errors: tracks that are empty, not finite or of different lengths, constraints or tracks without
 /// object, a volume too small for the gas, a MemoryLimit too low for windows of a few frames.

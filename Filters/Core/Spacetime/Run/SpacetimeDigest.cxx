@@ -118,7 +118,8 @@ ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOption
   DigestStream shape;
   const std::size_t particles = setup.Model.Offsets.size();
   shape.Values(setup.Model.Size, setup.Model.NumberOfFrames, setup.Origin, setup.Spacing,
-               setup.FrameStep, setup.Model.NumberOfGas, setup.Model.NumberOfObjects, particles);
+               setup.FrameStep, setup.Model.NumberOfGas, setup.Model.NumberOfObjects, particles,
+               setup.Model.WindNodes);
   DigestStream physics;
   AddSurroundings(physics, input);
   SpacetimeOptions::VisitPhysics(physics, options);

@@ -3,7 +3,7 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Constraints/ConstraintCheck.h"
-#include "Spacetime/Paper/VorticesPart.h"
+#include "Spacetime/Paper/FieldsPart.h"
 #include "Spacetime/Scene/SpacetimeExport.h"
 
 #include <algorithm>
@@ -150,6 +150,10 @@ Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
   {
     this->Output.VorticesPart =
       PartOfVortices(objective, this->State.Motion, this->Options.EstimateWind, this->Parallel);
+    FieldChoice choice;
+    choice.Vortices = this->Options.FitVortexFields && !this->State.Fields.Vortices.empty();
+    choice.Wind = this->Options.EstimateWind;
+    this->Output.Explained = PartOfFields(objective, this->State.Motion, choice, this->Parallel);
     this->TickMeasuring();
   }
   return Result::Ok();

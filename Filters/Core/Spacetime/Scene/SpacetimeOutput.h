@@ -9,6 +9,7 @@
 #include "Constraints/ConstraintCheck.h"
 #include "Spacetime/Energy/Convergence.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -51,6 +52,24 @@ struct ParticleSeries
   }
 };
 
+/// Of all bodies, of objects and of gas, each by those that counted and those left out. Not a
+/// number where there are none.
+struct FieldsPart
+{
+  using Pair = std::array<double, 2>;
+  Pair All{ std::nan(""), std::nan("") };
+  Pair Objects{ std::nan(""), std::nan("") };
+  Pair Gas{ std::nan(""), std::nan("") };
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.All...);
+    visit(of.Objects...);
+    visit(of.Gas...);
+  }
+};
+
 struct SpacetimeOutput
 {
   std::vector<Track> Tracks; // in the order of the input
@@ -69,6 +88,9 @@ struct SpacetimeOutput
   /// What the vortices explain of the objects' motion (PartOfVortices); not a number where that
   /// cannot be had.
   double VorticesPart = std::nan("");
+  /// What fields that are solved for without one object and one gas particle in five explain of
+  /// what is asked of them (PartOfFields): of those that counted, and of those left out.
+  FieldsPart Explained;
   /// Of all frames of all objects, those that were moved after solving by more than 1e-5 of the
   /// volume's width, so that all that is asked for holds; and by how much at most [m].
   double RepairedFraction = 0.0, LargestRepair = 0.0;
@@ -90,6 +112,7 @@ struct SpacetimeOutput
     visit(of.GasReplayError...);
     visit(of.GasModelResidual...);
     visit(of.VorticesPart...);
+    visit(of.Explained...);
     visit(of.RepairedFraction...);
     visit(of.LargestRepair...);
     visit(of.Warnings...);

@@ -146,7 +146,8 @@ Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
   model.Size = lattice.SizeInSpacings();
   model.NumberOfFrames = input.Scene.Time.NumberOfFrames;
   // The nodes depend on the volume alone, so that the lattice is known before anything is computed.
-  model.WindNodes = WindLatticeOf(input.Scene.Bounds.Size());
+  model.WindNodes = WindLatticeOf(input.Scene.Bounds.Size(), options.WindCells);
+  model.FieldRidge = options.FieldRidge;
   const double support = 2.0 * options.SmoothingLength;
   if (Result result =
         model.Obstacles.Build(inside, box, LatticeSpacing * setup.Spacing, setup.Spacing,

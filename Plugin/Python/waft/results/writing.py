@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a run: their names, and what is in each."""
+import math
 import os
 import pathlib
 
@@ -370,6 +371,15 @@ def _forces(pipeline, progress):
     return forces
 
 
+def _explained(pipeline):
+    """What the fields explain of the bodies that they are solved for and of one in five that are left out of the solve (None of no
+    bodies), of an optimiser that stirs its own air."""
+    told = pipeline.output("spacetime", 0).GetFieldData() if pipeline.spacetime is not None else None
+    array = told and told.GetArray("FieldsExplained")
+    values = [None if math.isnan(array.GetValue(n)) else array.GetValue(n) for n in range(6)] if array else []
+    return {kind: dict(zip(("solved", "leftOut"), values[at:at + 2])) for kind, at in (("all", 0), ("objects", 2), ("gas", 4)) if values}
+
+
 def _summary(run, progress, efforts):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in run.report:
@@ -387,6 +397,7 @@ def _summary(run, progress, efforts):
         "energy": {when: float(row["E"]) for when, row in zip(("before", "after"), progress)},
         "dynamics": _dynamics(run),
         "forces": _forces(run, progress),
+        "fieldsExplained": _explained(run),
         "fit": _fit(run),
         "constraints": {**counts, "unmet": [row for row in run.report if row["Status"] != "met"]},
         "objects": run.plan_objects,

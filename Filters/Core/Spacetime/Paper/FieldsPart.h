@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vortices explain of a motion that a wind alone would not.
+// What the fields explain of a motion: vortices beside a wind, and both of bodies that they were
+// not solved for.
 #pragma once
 
 #include "Base/Parallel.h"
 #include "Spacetime/Energy/SpacetimeObjective.h"
+#include "Spacetime/Paper/FieldNormal.h"
+#include "Spacetime/Scene/SpacetimeOutput.h"
 
 namespace waft
 {
@@ -14,5 +17,10 @@ namespace waft
 /// where nothing flies freely.
 double PartOfVortices(const SpacetimeObjective& objective, const StateVector& state,
                       bool solvesWind, const ParallelFor& parallel);
+
+/// The chosen fields are solved for without one object and one gas particle in five: what part they
+/// then explain of the accelerations that are asked of them. Likewise.
+FieldsPart PartOfFields(const SpacetimeObjective& objective, const StateVector& state,
+                        const FieldChoice& choice, const ParallelFor& parallel);
 
 } // namespace waft
