@@ -37,17 +37,20 @@ struct FieldNormal::Span
 {
   Span(const SplineWind& lattice, Eigen::Index vortices) :
     First(lattice), Both(lattice), Second(lattice), Frame(lattice),
-    Beside(Eigen::MatrixXd::Zero(6 * static_cast<Eigen::Index>(lattice.NumberOfNodes()), vortices)),
+    ByNode(Eigen::MatrixXd::Zero(3 * (1 + vortices),
+                                 2 * static_cast<Eigen::Index>(lattice.NumberOfNodes()))),
     OfVortices(Eigen::MatrixXd::Zero(vortices, vortices)),
-    Right(Eigen::VectorXd::Zero(Beside.rows())), RightOfVortices(Eigen::VectorXd::Zero(vortices))
+    RightOfVortices(Eigen::VectorXd::Zero(vortices))
   {
   }
 
   NodeMatrix First, Both, Second; // of the knot, of it and the next, of the next
   NodeMatrix Frame;               // of one frame
-  Eigen::MatrixXd Beside;         // coefficients of both knots x strengths
-  Eigen::MatrixXd OfVortices;
-  Eigen::VectorXd Right, RightOfVortices;
+  /// A column a node, of both knots: three of the right side, three of what stands beside it for
+  /// each strength.
+  Eigen::MatrixXd ByNode;
+  Eigen::MatrixXd OfVortices; // its lower half
+  Eigen::VectorXd RightOfVortices;
 };
 
 FieldNormal::FieldNormal(const SpacetimeModel& model, const AirFields& fields,
@@ -141,12 +144,13 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
   const SpacetimeModel& model = objective.Model();
   const TimeLevel& level = objective.Level();
   const SplineWind& wind = objective.Fields().Wind;
-  const auto block = static_cast<Eigen::Index>(3 * this->Lattice.NumberOfNodes());
+  const auto nodes = static_cast<Eigen::Index>(this->Lattice.NumberOfNodes());
   const bool isWithout = this->Vortices.empty() && !this->Choice.VorticesAct;
   std::vector<Vortex> absent; // of the fields, those that act at a frame
   std::vector<std::size_t> active;
   std::vector<double> factors;
   std::vector<Vec3> unit;
+  Eigen::VectorXd asked(span.ByNode.rows()); // as a column of ByNode
   for (std::size_t j = begin; j < end; ++j)
   {
     const int frame = level.Frames[j];
@@ -173,6 +177,7 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
       }
     }
     unit.resize(active.size());
+    asked.setZero();
     span.Frame.Clear();
     for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
     {
@@ -204,7 +209,7 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
       {
         const auto row = static_cast<Eigen::Index>(active[n]);
         span.RightOfVortices[row] += weight * unit[n].dot(target);
-        for (std::size_t m = 0; m < active.size(); ++m)
+        for (std::size_t m = 0; m <= n; ++m)
         {
           span.OfVortices(row, static_cast<Eigen::Index>(active[m])) +=
             weight * unit[n].dot(unit[m]);
@@ -214,23 +219,23 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
       {
         continue;
       }
+      asked.head<3>() = target;
+      for (std::size_t n = 0; n < active.size(); ++n)
+      {
+        asked.segment<3>(3 * static_cast<Eigen::Index>(1 + active[n])) = unit[n];
+      }
       const SplineStencil stencil = this->Lattice.Stencil(x);
       span.Frame.AddRow(this->Lattice, stencil, weight);
       for (int n = 0; n < 27; ++n)
       {
         const int a = n % 3, b = n / 3 % 3, c = n / 9;
         const auto node = static_cast<Eigen::Index>(
-          3 * this->Lattice.Node(stencil.First[0] + a, stencil.First[1] + b, stencil.First[2] + c));
+          this->Lattice.Node(stencil.First[0] + a, stencil.First[1] + b, stencil.First[2] + c));
         const double own =
           weight * stencil.Weights[0][a] * stencil.Weights[1][b] * stencil.Weights[2][c];
         for (int side = 0; side < 2; ++side)
         {
-          span.Right.segment<3>(side * block + node) += shares[side] * own * target;
-          for (std::size_t m = 0; m < active.size(); ++m)
-          {
-            span.Beside.col(static_cast<Eigen::Index>(active[m])).segment<3>(side * block + node) +=
-              shares[side] * own * unit[m];
-          }
+          span.ByNode.col(side * nodes + node) += shares[side] * own * asked;
         }
       }
     }
@@ -242,7 +247,7 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
 
 void FieldNormal::Add(int knot, const Span& span)
 {
-  this->OfVortices += span.OfVortices;
+  this->OfVortices += Eigen::MatrixXd(span.OfVortices.selfadjointView<Eigen::Lower>());
   this->RightOfVortices += span.RightOfVortices;
   if (this->Knots == 0)
   {
@@ -253,8 +258,15 @@ void FieldNormal::Add(int knot, const Span& span)
   this->Diagonal[k].Add(span.First, 1.0);
   this->Upper[k].Add(span.Both, 1.0);
   this->Diagonal[k + 1].Add(span.Second, 1.0);
-  this->Right.segment(knot * block, 2 * block) += span.Right;
-  this->Beside.middleRows(knot * block, 2 * block) += span.Beside;
+  for (Eigen::Index node = 0; node < span.ByNode.cols(); ++node)
+  {
+    const Eigen::Index row = knot * block + 3 * node;
+    this->Right.segment<3>(row) += span.ByNode.col(node).head<3>();
+    for (Eigen::Index n = 0; n < this->Beside.cols(); ++n)
+    {
+      this->Beside.block<3, 1>(row, n) += span.ByNode.col(node).segment<3>(3 * (1 + n));
+    }
+  }
 }
 
 bool FieldNormal::Solve(AirFields& fields, Monitor* monitor) const
