@@ -14,7 +14,8 @@ namespace waft
 
 struct BlockTridiagonal
 {
-  /// Blocks of one size, made when their turn comes: of a place, and of it and the next.
+  /// Blocks of one size, made when their turn comes: of a place, whose lower half is read, and of
+  /// it and the next.
   using MakeBlock = std::function<Eigen::MatrixXd(std::size_t)>;
   std::size_t NumberOfBlocks = 0;
   MakeBlock Diagonal, Upper;

@@ -282,17 +282,38 @@ bool FieldNormal::Solve(AirFields& fields, Monitor* monitor) const
     const Eigen::Index block = this->Curl.rows();
     const Eigen::Index unknowns = this->Curl.cols();
     const Sparse adjoint = this->Curl.transpose();
-    const auto ofPotential = [&](const NodeMatrix& nodes)
-    { return Eigen::MatrixXd(Sparse(adjoint * Sparse(nodes.OfVectors() * this->Curl))); };
+    // Of the potential's coefficients; of a symmetric matrix the lower half is enough.
+    const auto ofPotential = [&](const NodeMatrix& nodes, bool isHalf)
+    {
+      Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(unknowns, unknowns);
+      Eigen::VectorXd column(block);
+      for (Eigen::Index u = 0; u < unknowns; ++u)
+      {
+        column.setZero();
+        for (Sparse::InnerIterator at(adjoint, u); at; ++at)
+        {
+          nodes.AddColumn(static_cast<std::size_t>(at.col()), at.value(), column);
+        }
+        for (Eigen::Index other = isHalf ? u : 0; other < unknowns; ++other)
+        {
+          double& sum = matrix(other, u);
+          for (Sparse::InnerIterator at(adjoint, other); at; ++at)
+          {
+            sum += at.value() * column[at.col()];
+          }
+        }
+      }
+      return matrix;
+    };
     BlockTridiagonal matrix;
     matrix.NumberOfBlocks = this->Diagonal.size();
     matrix.Diagonal = [&](std::size_t k)
     {
-      Eigen::MatrixXd own = ofPotential(this->Diagonal[k]);
+      Eigen::MatrixXd own = ofPotential(this->Diagonal[k], true);
       own.diagonal().array() += Gauge * own.diagonal().mean();
       return own;
     };
-    matrix.Upper = [&](std::size_t k) { return ofPotential(this->Upper[k]); };
+    matrix.Upper = [&](std::size_t k) { return ofPotential(this->Upper[k], false); };
     // The wind for the right side, and for each vortex of strength 1.
     Eigen::MatrixXd right(unknowns * this->Knots, 1 + vortices);
     for (int k = 0; k < this->Knots; ++k)

@@ -54,6 +54,28 @@ void NodeMatrix::AddToDiagonal(double value)
   }
 }
 
+void NodeMatrix::AddColumn(std::size_t column, double factor, Eigen::VectorXd& sum) const
+{
+  const auto& n = this->Dimensions;
+  const int node = static_cast<int>(column / 3);
+  const int here[3] = { node % n[0], node / n[0] % n[1], node / n[0] / n[1] };
+  for (int k = std::max(-2, -here[2]); k <= std::min(2, n[2] - 1 - here[2]); ++k)
+  {
+    for (int j = std::max(-2, -here[1]); j <= std::min(2, n[1] - 1 - here[1]); ++j)
+    {
+      const bool isAfter = k > 0 || (k == 0 && j > 0); // told by the column's own node
+      for (int i = std::max(-2, -here[0]); i <= std::min(2, n[0] - 1 - here[0]); ++i)
+      {
+        const int other = node + (k * n[1] + j) * n[0] + i;
+        const double value = isAfter ? this->At(static_cast<std::size_t>(node), i, j, k)
+                                     : this->At(static_cast<std::size_t>(other), -i, -j, -k);
+        sum[static_cast<Eigen::Index>(3 * other) + static_cast<Eigen::Index>(column % 3)] +=
+          factor * value;
+      }
+    }
+  }
+}
+
 Eigen::SparseMatrix<double, Eigen::RowMajor> NodeMatrix::OfVectors() const
 {
   const auto& n = this->Dimensions;

@@ -24,9 +24,10 @@ public:
   void Clear() { std::fill(this->Values.begin(), this->Values.end(), 0.0); }
   /// Of a node and another, each step from it -2 to 2. Those in earlier lines than the node's own
   /// (k, then j below 0) are not read: the matrix is symmetric.
-  double& At(std::size_t node, int i, int j, int k)
+  double& At(std::size_t node, int i, int j, int k) { return this->Values[Place(node, i, j, k)]; }
+  double At(std::size_t node, int i, int j, int k) const
   {
-    return this->Values[node * Width + static_cast<std::size_t>(((k + 2) * 5 + j + 2) * 5 + i + 2)];
+    return this->Values[Place(node, i, j, k)];
   }
   /// The stencil's outer product.
   void AddRow(const SplineWind& shape, const SplineStencil& stencil, double weight);
@@ -34,9 +35,15 @@ public:
   void AddToDiagonal(double value);
   /// The same for each of three components, interleaved.
   Eigen::SparseMatrix<double, Eigen::RowMajor> OfVectors() const;
+  /// Adds to a vector, of three components a node, a column of that matrix.
+  void AddColumn(std::size_t column, double factor, Eigen::VectorXd& sum) const;
 
 private:
   static constexpr std::size_t Width = 125;
+  static std::size_t Place(std::size_t node, int i, int j, int k)
+  {
+    return node * Width + static_cast<std::size_t>(((k + 2) * 5 + j + 2) * 5 + i + 2);
+  }
   std::array<int, 3> Dimensions;
   std::vector<double> Values;
 };
