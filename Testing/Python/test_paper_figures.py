@@ -55,6 +55,22 @@ class PaperFiguresTest(unittest.TestCase):
             self.assertEqual(self.kept[quality]["rows"]["exact"]["met"], True, "marks are met exactly")
             self.assertRegex(self.page, rf"\n\| {SCENE}, `{quality}` \| 1 \| ")
 
+    def test_what_the_optimiser_changed_is_told(self):
+        moved = re.search(rf"\n\| {SCENE} \| (\d) of 1, ([\d.]+) mm \| ([\d.]+), ([\d.]+) \| ", self.page)
+        beside = self.kept["full"]["beside"]
+        self.assertEqual(int(moved.group(1)), int(beside["farthest"] > make_paper_figures.MOVED))
+        self.assertAlmostEqual(float(moved.group(2)), 1000.0 * beside["farthest"], delta=0.051)
+        self.assertIn(f"\n| {SCENE}, `air` | 1 | ", self.page)
+        self.assertRegex(self.page, rf"\n\| {SCENE} \| 0\.\d+, 0\.\d+, [\d.]+ \| 0\.\d+, - \| ")
+
+    def test_a_row_is_worse_where_it_misses_by_more_than_it_did(self):
+        for wanted, met, value, was, expected in (([0.0, 0.2], True, 0.19, 0.01, False), ([0.0, 0.2], False, 0.21, 0.1, True),
+                                                  ([0.0, 0.2], False, 0.31, 0.30, False), ([0.0, 0.2], False, 0.31, 0.29, True),
+                                                  ([0.7, 1.4], False, 0.6, 0.62, False), ([0.7, 1.4], False, 0.6, 0.8, True),
+                                                  ([None, 1.0], False, 1.2, None, True), ([0.3, None], False, 0.1, 0.2, True)):
+            row = {"wanted": wanted, "met": met, "value": value}
+            self.assertEqual(make_paper_figures.is_worse(row, {"value": was}), expected, (wanted, value, was))
+
     def test_the_table_is_that_of_its_script(self):
         for line in paper_table.lines([(SCENE, paper_table.column(self.results["paper"])[1])]):
             self.assertIn(f"\n{line}\n", self.page)
