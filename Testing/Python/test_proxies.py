@@ -5,13 +5,16 @@ Core says of an option (default, range, sentence) is what the proxy shows and th
 
     pvpython test_proxies.py XML_FOLDER DESCRIBE_OPTIONS PLUGIN_SOURCES"""
 
+import contextlib
 import glob
 import json
 import os
+import sqlite3
 import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
+import zlib
 
 from paraview import servermanager, simple
 
@@ -22,6 +25,7 @@ from waft.scene._kinds import KINDS
 XML, DESCRIBE_OPTIONS, PLUGIN = sys.argv[1:4]
 sys.path.insert(0, PLUGIN)
 import expand_options  # noqa: E402
+HELP = os.path.join(os.path.dirname(XML), "paraview_help", "Waft.qch")
 LARGE = 1e6  # from here on a panel need not name the end of a range
 # What a class does with these by itself, before or beside the run of Core that its options describe.
 OF_THE_CLASS_ALONE = {("vtkGridSmokeSource", "CacheLimit"), ("vtkMotionDatabaseSource", "TimeLimit"),
@@ -109,6 +113,21 @@ class ProxyTest(unittest.TestCase):
                     text = described.find("Documentation")
                     self.assertIsNotNone(text, "no Documentation")
                     self.assertTrue((text.text or "").strip(), "empty Documentation")
+
+    @unittest.skipUnless(os.path.exists(HELP), "this build makes no pages of help")
+    def test_the_help_button_has_a_page_of_each(self):
+        """Where ParaView's window looks for it: NAMESPACE/FOLDER/GROUP.NAME.html."""
+        with contextlib.closing(sqlite3.connect(f"file:{HELP}?mode=ro", uri=True)) as pages:
+            packed = dict(pages.execute("SELECT Name, Data FROM FileNameTable JOIN FileDataTable ON FileId = Id"))
+            (space,), (folder,) = (pages.execute(f"SELECT Name FROM {table}").fetchone() for table in ("NamespaceTable", "FolderTable"))
+        self.assertEqual((space, folder), ("Waft.org", "Waft"), "ParaView takes the first part of the one for the other")
+        for path, element in described_proxies():
+            name = element.get("name")
+            with self.subTest(file=path, name=name):
+                page, = (page for page in packed if page.endswith(f".{name}.html"))
+                self.assertIsNotNone(servermanager.ProxyManager().GetPrototypeProxy(page.partition(".")[0], name), page)
+                text = zlib.decompress(packed[page][4:]).decode("utf-8")  # its length is before it
+                self.assertIn(element.find("Documentation").text.split()[0], text)
 
     def test_panels_speak_of_properties_that_are_there(self):
         groups = decorators = 0
