@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView: what its virtual screen shows, window and all, as the X server keeps it in the file that WAFT_GUI_SCREEN
 names (an X window dump)."""
+import ctypes
 import os
 
 import numpy as np
@@ -21,13 +22,29 @@ def pixels():
     return rows[:, :words[WIDTH], 2::-1]
 
 
-def save(path, left=0, top=0, right=None, bottom=None):
-    """A part of the screen as a PNG file."""
-    part = pixels()[top:bottom, left:right]
+def size():
+    height, width, _ = pixels().shape
+    return width, height
+
+
+def move_pointer(x, y):
+    """To a pixel of the screen, as a hand does it."""
+    xlib = ctypes.CDLL("libX11.so.6")
+    xlib.XOpenDisplay.restype = ctypes.c_void_p
+    display = ctypes.c_void_p(xlib.XOpenDisplay(None))
+    xlib.XDefaultRootWindow.restype = ctypes.c_ulong
+    xlib.XWarpPointer(display, ctypes.c_ulong(0), ctypes.c_ulong(xlib.XDefaultRootWindow(display)), 0, 0, 0, 0, int(x), int(y))
+    xlib.XCloseDisplay(display)
+
+
+def save(path, step=1):
+    """The screen as a PNG file, its colours rounded to a step: soft backgrounds pack so much better."""
+    shown = pixels()[::-1] // step * step
     image = vtkImageData()
-    image.SetDimensions(part.shape[1], part.shape[0], 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(part[::-1]).reshape(-1, 3), deep=True))
+    image.SetDimensions(shown.shape[1], shown.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(shown).reshape(-1, 3), deep=True))
     writer = vtkPNGWriter()
     writer.SetFileName(str(path))
+    writer.SetCompressionLevel(9)
     writer.SetInputData(image)
     writer.Write()

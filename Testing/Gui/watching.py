@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What scripts share that run inside ParaView while an event script plays: a log, and a look again and again."""
+import ctypes
 import hashlib
 import json
 import os
@@ -15,6 +16,8 @@ LOOK = 50                             # ms
 log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
 view = simple.GetActiveViewOrCreate("RenderView")
 _last = None
+# ParaView's Python has no binding of Qt; 0: all events.
+_let_events_come = ctypes.CDLL("libQt5Core.so.5")["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
 
 
 def write(line):
@@ -58,6 +61,22 @@ def watch(look, between=LOOK, ends=False):
     interactor = view.GetInteractor()
     interactor.AddObserver("TimerEvent", tick)
     interactor.CreateRepeatingTimer(between)
+
+
+def wait_until(condition):
+    """Within a look: the event script stands, the window goes on. A pause of an event script alone is a sleep of the window."""
+    began = time.monotonic()
+    while not condition():
+        if time.monotonic() - began > DEADLINE:
+            raise TimeoutError(f"expected an end of what is waited for within {DEADLINE:g} s")
+        _let_events_come(0)
+        time.sleep(0.01)
+
+
+def is_in_the_air():
+    """Whether a source of Waft has work, or its last picture is to come."""
+    made = [source.GetClientSideObject() for source in simple.GetSources().values()]
+    return any(one.GetWorkState() != one.NO_WORK for one in made if hasattr(one, "GetWorkState"))
 
 
 def animation_of_the_menu(name="WaftAnimation1", file=SCENE, **numbers):

@@ -19,12 +19,13 @@ class Screen:
     """An X server of its own; it names its display once clients may come, and keeps what it shows in a file of the folder
     (screen.py reads it)."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, size=(1400, 1000)):
         self.folder = folder
+        self.size = f"{size[0]}x{size[1]}x24"
 
     def __enter__(self):
         read, write = os.pipe()
-        self.server = subprocess.Popen([XVFB, "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-noreset",
+        self.server = subprocess.Popen([XVFB, "-displayfd", str(write), "-screen", "0", self.size, "-noreset",
                                         "-fbdir", str(self.folder)],
                                        pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
@@ -39,19 +40,20 @@ class Screen:
         self.server.wait()
 
 
-def run_paraview(folder, arguments):
-    """ParaView's exit status and what it printed."""
-    with Screen(folder) as display:
+def run_paraview(folder, arguments, size=None):
+    """ParaView's exit status and what it printed; with a size its window fills the screen."""
+    with Screen(folder, size) if size else Screen(folder) as display:
         environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
                        "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": f"{MODULES}{os.pathsep}{HERE}", "WAFT_GUI_LOG": str(folder / "log"),
                        "WAFT_GUI_SCENE": str(folder / "kept.waft.json"), "WAFT_GUI_SAMPLES": str(HERE.parent / "Python"),
                        "WAFT_GUI_SCREEN": str(folder / "Xvfb_screen0")}
-        done = subprocess.run([PARAVIEW, "--dr", *arguments], env=environment, stdout=subprocess.PIPE,
+        whole = ["-qwindowgeometry", f"{size[0]}x{size[1]}+0+0"] if size else []
+        done = subprocess.run([PARAVIEW, "--dr", *whole, *arguments], env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
     return done.returncode, done.stdout
 
 
-def play(events, folder, watch="watch_widgets.py", ends=True):
+def play(events, folder, watch="watch_widgets.py", ends=True, size=None):
     """Exit status, what was printed, and what a script noted while an event script played; with `ends` ParaView ends after
     the events, else the script ends it."""
     script = folder / "events.xml"
@@ -60,7 +62,7 @@ def play(events, folder, watch="watch_widgets.py", ends=True):
         text = text.replace(name, value)
     script.write_text(text, encoding="utf-8")
     status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
-                                            f"--test-script={script}", *(["--exit"] if ends else [])])
+                                            f"--test-script={script}", *(["--exit"] if ends else [])], size)
     return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]
 
 
