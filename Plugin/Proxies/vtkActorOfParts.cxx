@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkActorOfParts.h"
 
+#include <vtkAssemblyPath.h>
+#include <vtkAssemblyPaths.h>
 #include <vtkMath.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderer.h>
 
@@ -86,6 +90,27 @@ void vtkActorOfParts::ReleaseGraphicsResources(vtkWindow* window)
     part->ReleaseGraphicsResources(window);
   }
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkActorOfParts::BuildPaths(vtkAssemblyPaths* paths, vtkAssemblyPath* path)
+{
+  if (this->Parts.empty())
+  {
+    this->Superclass::BuildPaths(paths, path);
+    return;
+  }
+  const vtkNew<vtkMatrix4x4> asHere; // the path so far has this actor's own
+  for (vtkActor* part : this->Parts)
+  {
+    if (this->GetVisibility() != 0) // of which a part knows nothing
+    {
+      part->SetUserMatrix(this->GetMatrix());
+      vtkNew<vtkAssemblyPath> toPart;
+      toPart->ShallowCopy(path);
+      toPart->AddNode(part, asHere);
+      paths->AddItem(toPart);
+    }
+  }
 }
 
 void vtkActorOfParts::PrintSelf(ostream& os, vtkIndent indent)

@@ -33,6 +33,8 @@ public:
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
   vtkTypeBool HasOpaqueGeometry() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  /// Who goes over a scene's actors, as writers of it do, finds the parts with their looks.
+  void BuildPaths(vtkAssemblyPaths* paths, vtkAssemblyPath* path) override;
 
 protected:
   vtkActorOfParts() = default;

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Save Data of each port of a Waft Animation: ParaView's own writers say nothing, and what they write has all that the port has.
+"""Save Data of each port of a Waft Animation, and Export Scene of what it shows: ParaView's own writers say nothing, and what they write
+has all that the port has.
 
     pvbatch test_saved_ports.py         on a screen
 """
 import csv
 import hashlib
+import json
 import os
 import pathlib
 import sys
@@ -20,6 +22,7 @@ import waft
 
 READERS = {"vtkPolyData": (".vtp", vtkXMLPolyDataReader), "vtkImageData": (".vti", vtkXMLImageDataReader)}
 EMPTY = ("OptimisedTracks", "Gas", "FittedVortices")  # at Preview: VTK's readers complain of a file without points
+SHOWN = ("Meshes", "Poses", "Obstacles", "Marks")
 FRAMES = 31
 
 
@@ -121,6 +124,25 @@ class SavedPortsTest(unittest.TestCase):
             saved = saved.GetPiece(0) if saved.IsA("vtkMultiPieceDataSet") else saved
             self.assertEqual(contents(saved)["points"], contents(own)["points"], frame)
         self.check_quiet()
+
+    def test_what_is_shown_is_exported(self):
+        view = simple.CreateView("RenderView")
+        for name in SHOWN:
+            simple.Show(self.animation[name], view)
+        simple.Render(view)
+        file = self.folder / "scene.gltf"
+        for ending in (".gltf", ".x3d", ".vrml", ".pov"):
+            simple.ExportView(str(file.with_suffix(ending)), view=view)
+            self.assertGreater(file.with_suffix(ending).stat().st_size, 1000)
+        self.check_quiet()
+        exported = json.loads(file.read_text(encoding="utf-8"))
+        vertices = [exported["accessors"][part["attributes"]["POSITION"]]["count"] for mesh in exported["meshes"]
+                    for part in mesh["primitives"]]
+        bodies = servermanager.Fetch(self.animation, idx=0).GetNumberOfPoints()
+        obstacles = servermanager.Fetch(self.animation, idx=2).GetNumberOfPoints()
+        self.assertGreaterEqual(sum(vertices), bodies + obstacles, vertices)
+        colors = [material["pbrMetallicRoughness"]["baseColorFactor"] for material in exported["materials"]]
+        self.assertTrue(any(red > 2 * max(green, blue) for red, green, blue, _ in colors), f"the scene's own: {colors}")
 
 
 if __name__ == "__main__":
