@@ -60,7 +60,7 @@ void WorkInSlices(vtkSMProxy* source)
   }
 }
 
-WorkOfStages WorkOf(const Stages& stages)
+WorkOfStages WorkOf(const Stages& stages, std::size_t begun)
 {
   WorkOfStages all;
   int works = 0; // the others wait for these
@@ -84,7 +84,8 @@ WorkOfStages WorkOf(const Stages& stages)
       all.Message = QString::fromUtf8(Ask(stage, "Message").GetAsString());
     }
   }
-  all.Done /= std::max(works, 1);
+  const std::size_t count = std::max({ begun, stages.size(), std::size_t(1) });
+  all.Done = (all.Done + static_cast<double>(count - stages.size())) / static_cast<double>(count);
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QString>
 
+#include <cstddef>
 #include <vector>
 
 class pqPipelineSource;
@@ -29,10 +30,12 @@ struct WorkOfStages
   bool IsHeld = false;
   bool HasArrived = false; // one has come to its end
   QString Message;
-  double Done = 0.0;         // 0 to 1
+  double Done = 0.0;         // 0 to 1, of all that were begun
   double SecondsLeft = -1.0; // below 0: not known yet
 };
-WorkOfStages WorkOf(const Stages& stages);
+/// `begun`: how many there were, at most, since the last of them rested; those that are no more
+/// are done, and those that wait for others have all before them.
+WorkOfStages WorkOf(const Stages& stages, std::size_t begun);
 
 /// Those that go on by themselves wait.
 void HoldWork(const Stages& stages);

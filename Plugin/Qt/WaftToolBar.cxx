@@ -163,7 +163,8 @@ void WaftToolBar::onTimer()
 void WaftToolBar::Look()
 {
   const waft::Stages unfinished = waft::UnfinishedStages();
-  const waft::WorkOfStages work = waft::WorkOf(unfinished);
+  this->Begun = this->Now == State::Resting ? 0 : std::max(this->Begun, unfinished.size());
+  const waft::WorkOfStages work = waft::WorkOf(unfinished, this->Begun);
   const bool isIdle = !work.IsBeside && !work.HasArrived;
   if (isIdle && !(work.IsHeld && this->Asked == Wish::Picture))
   {

@@ -5,6 +5,8 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include <cstddef>
+
 class QProgressBar;
 class QToolButton;
 class WaftCamera;
@@ -71,5 +73,6 @@ private:
   QProgressBar* Bar;
   State Now = State::Resting;
   Wish Asked = Wish::Nothing;
+  std::size_t Begun = 0; // stages, at most, since there was nothing to do
   bool IsInside = false; // of Look: an update lets the window's events through
 };
