@@ -16,8 +16,8 @@ LOOK = 50                             # ms
 log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
 view = simple.GetActiveViewOrCreate("RenderView")
 _last = None
-# ParaView's Python has no binding of Qt; 0: all events.
-_let_events_come = ctypes.CDLL("libQt5Core.so.5")["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
+# Of the Qt that ParaView has, whichever it is; its Python has no binding of it.
+_let_events_come = ctypes.CDLL(None)["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
 
 
 def write(line):
