@@ -67,9 +67,9 @@ class SixStagesTest(unittest.TestCase):
         for name, force in forces.items():  # what makes up the motion by a share has some size
             self.assertGreaterEqual(force["square"], force["share"] ** 2 * (1.0 - 1e-9), name)
         self.assertTrue(-1.0 < forces["vortices"]["part"] < 1.0)
-        for kind in ("all", "gas"):  # the fields were solved for the one, and say something of the other
+        for kind in ("all", "gas"):  # the fields were solved for the one, and say less of the other: nothing, where bodies are few
             solved, left_out = (report["fieldsExplained"][kind][which] for which in ("solved", "leftOut"))
-            self.assertTrue(0.0 < left_out < 1.0 and 0.0 < solved < 1.0, kind)
+            self.assertTrue(0.0 < solved < 1.0 and -1.0 < left_out < solved, (kind, solved, left_out))
 
     def test_every_port_of_the_page_is_there(self):
         """The table of the page names, port by port, arrays that the data have."""
