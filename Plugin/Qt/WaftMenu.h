@@ -5,8 +5,8 @@
 namespace waft
 {
 
-/// ParaView leaves sources that open files out of the menu Sources; Waft Animation is there as well,
-/// since a new one is chosen its file in the panel.
+/// ParaView leaves sources that open files out of the menu Sources; Waft Animation is there as
+/// well, since a new one is chosen its file in the panel.
 void AddToSourcesMenu();
 
 } // namespace waft

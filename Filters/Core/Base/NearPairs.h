@@ -14,8 +14,8 @@ namespace waft
 {
 
 /// Calls visit(a, b), a before b, for all pairs of places that are no farther from each other than
-/// reach along x and y, and some that are; none where the reach is 0. In strips across x as wide as the reach each meets
-/// those after it in its own, and those about it in the next.
+/// reach along x and y, and some that are; none where the reach is 0. In strips across x as wide as
+/// the reach each meets those after it in its own, and those about it in the next.
 template <class Visit>
 void SweepPairs(const std::vector<Vec3>& places, double reach, const Visit& visit)
 {
