@@ -21,6 +21,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -120,6 +121,8 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
                                                       waft::Monitor& monitor)
 {
   this->Solution = waft::AssimilationOutput();
+  vtkNew<vtkPointData> planned; // the inputs are those of the request in which the run begins
+  planned->ShallowCopy(vtkPolyData::GetData(inputs[PlannedPort])->GetPointData());
   {
     waft::AssimilationInput input;
     WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
@@ -136,8 +139,7 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   waft::AddControls(this->Solution.Controls, tracks);
   this->Solution.Tracks = {}; // many, and the output has them
   this->Solution.Controls = {};
-  waft::ShareEqualArrays(vtkPolyData::GetData(inputs[PlannedPort])->GetPointData(),
-                         tracks->GetPointData());
+  waft::ShareEqualArrays(planned, tracks->GetPointData());
   waft::AddTouchDowns(this->Solution.Constraints, tracks);
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
                            this->Kept<vtkPolyData>(VorticesPort));

@@ -22,6 +22,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -145,6 +146,8 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
 {
   waft::RotationInput& input = this->Input;
   input = waft::RotationInput();
+  vtkNew<vtkPointData> given; // the inputs are those of the request in which the run begins
+  given->ShallowCopy(vtkPolyData::GetData(inputs[TracksPort])->GetPointData());
   this->Rotation = waft::RotationOutput();
   this->Air.Finish();
   const waft::AirOnTracks air = std::move(this->Air);
@@ -167,8 +170,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     this->Warnings = this->Rotation.Warnings;
     waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
                           this->Kept<vtkPolyData>(PosesPort));
-    waft::ShareEqualArrays(vtkPolyData::GetData(inputs[TracksPort])->GetPointData(),
-                           this->Kept<vtkPolyData>(PosesPort)->GetPointData());
+    waft::ShareEqualArrays(given, this->Kept<vtkPolyData>(PosesPort)->GetPointData());
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);
     waft::AddAgreement(this->Rotation.Away, this->Kept<vtkPolyData>(PosesPort));
