@@ -6,12 +6,13 @@ import os
 import time
 
 from paraview import simple
-from watching import SCENE, animation_of_the_menu, digest, end, has_bodies, view, watch, write
+from watching import SCENE, animation_of_the_menu, digest, end, has_bodies, view, wait_until, watch, write
 
 import waft
 
 FULL, PREVIEW = 2, 0  # of Quality
 PICTURES = 4          # that are drawn while they are counted
+RESTS = 2.0           # s that Stop is watched
 SHORT = SCENE.replace("kept", "short")
 
 
@@ -29,8 +30,7 @@ make_scene(SCENE, 3, 480)  # so long that Stop is pressed before it has flown
 make_scene(SHORT, 1, 60)
 began = time.monotonic()
 steps = ["flies", "rests", "flies again", "counts", "ends"]
-held = None  # how far the work was at the last look, where it waited
-resting = counting = 0.0
+counting = 0.0
 rest = {}
 drawing = {"pictures": 0, "began": 0.0, "seconds": 0.0}
 is_hooked = False
@@ -75,18 +75,16 @@ def finish(animation):
 
 def follow(animation, source):
     """From one step to the next."""
-    global held, resting, counting
+    global counting
     now = time.monotonic()
     step, is_held, done = steps[0], source.GetWorkState() == source.HELD, source.GetWorkDone()
-    if step == "flies":
-        was, held = held, done if is_held else None
-        if held is not None and was == held:  # for a picture it waits less than from one look to the next
+    if step == "flies" and is_held:  # for a picture it waits less than that
+        then = time.process_time()
+        wait_until(lambda: source.GetWorkState() != source.HELD or time.monotonic() - now > RESTS)
+        if source.GetWorkState() == source.HELD:
             steps.pop(0)
-            resting = now
-            rest.update(before=done, after=done, rested=0.0, used=0.0, then=time.process_time())
-    elif step == "rests" and is_held:
-        rest.update(after=done, rested=now - resting, used=time.process_time() - rest["then"])
-    elif step == "rests":
+            rest.update(before=done, after=source.GetWorkDone(), rested=time.monotonic() - now, used=time.process_time() - then)
+    elif step == "rests" and not is_held:
         steps.pop(0)
         note(**rest)
     elif step == "flies again" and done > rest["after"]:
