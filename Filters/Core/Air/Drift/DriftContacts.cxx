@@ -50,10 +50,6 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
     widest = std::max(widest, kept.Needed(o, o));
   }
   const double reach = (1.0 + margin) * widest;
-  if (!(reach > 0.0))
-  {
-    return {};
-  }
   const std::size_t frames = paths.empty() ? 0 : paths.front().size();
   std::vector<std::vector<DriftContact>> byFrame(frames);
   parallel(frames,

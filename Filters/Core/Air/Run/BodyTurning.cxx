@@ -2,7 +2,7 @@
 #include "Air/Run/BodyTurning.h"
 
 #include "Air/Drift/DriftSearch.h"
-#include "Air/Drift/ResidualControl.h"
+#include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
 
 #include <algorithm>
@@ -179,16 +179,12 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, double degrees, 
   {
     return found;
   }
-  const AirSampler sampler(air);
   const auto shares = [&]
   {
     std::vector<double> found;
-    for (std::size_t o = 0; o < bodies.Size(); ++o)
+    for (const ResidualControl& own : ResidualControlsOf(run, bodies, air))
     {
-      const ResidualControl residual =
-        ResidualControlOf(bodies.Problems[o], sampler, bodies.Paths[o]);
-      found.push_back(residual.Rms(residual.Control) /
-                      std::max(residual.Rms(residual.Flow), 1e-12));
+      found.push_back(own.Rms(own.Control) / std::max(own.Rms(own.Flow), 1e-12));
     }
     return found;
   };

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How bodies come to a mark that they have in common: spread out, or poured in ropes."""
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 
 from waft.scene._kinds import POSITION, REST
 
@@ -31,16 +34,24 @@ def approaches(run):
 
 def _nearest(places):
     """Distance to the nearest, and which it is, of places [n, 3]."""
-    apart = np.linalg.norm(places[:, None] - places[None], axis=2)
-    np.fill_diagonal(apart, np.inf)
-    return apart.min(axis=1), apart.argmin(axis=1)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(places, float)))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(data)
+    locator.BuildLocator()
+    found, nearest = vtkIdList(), np.empty(len(places), int)
+    for number, place in enumerate(places.tolist()):
+        locator.FindClosestNPoints(2, place, found)
+        nearest[number] = found.GetId(0) if found.GetId(0) != number else found.GetId(1)
+    return np.linalg.norm(places - places[nearest], axis=1), nearest
 
 
-def _alignments(places, velocities):
-    """Cosines between the velocity of each and that of its nearest."""
-    _, nearest = _nearest(places)
+def _alignment(velocities, nearest):
+    """Mean cosine between the velocity of each and that of its nearest."""
     unit = velocities / np.maximum(np.linalg.norm(velocities, axis=1, keepdims=True), 1e-9)
-    return np.sum(unit * unit[nearest], axis=1)
+    return np.sum(unit * unit[nearest], axis=1).mean()
 
 
 def approach(run, air):
@@ -67,9 +78,10 @@ def approach(run, air):
             inside = flights.inside[bodies, frame]
             if inside.sum() < LEAST_BODIES:
                 continue
-            own.append(_nearest(path[inside, frame])[0].mean())
+            away, nearest = _nearest(path[inside, frame])
+            own.append(away.mean())
             straight.append(_nearest(line[inside, step])[0].mean())
-            aligned.append(_alignments(path[inside, frame], velocity[inside, frame]).mean())
+            aligned.append(_alignment(velocity[inside, frame], nearest))
             if drift is not None:
-                free.append(_alignments(drift[inside, step], drifting[inside, step]).mean())
+                free.append(_alignment(drifting[inside, step], _nearest(drift[inside, step])[1]))
     return own, straight, aligned, free
