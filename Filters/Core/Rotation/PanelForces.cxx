@@ -227,8 +227,12 @@ double PanelBody::ForeshortenedArea(const Vec3& direction) const
 Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
                            const AirCoefficients& given) const
 {
-  const double turning = 0.5 * gradient.squaredNorm() * this->Spread.trace();
-  const AirCoefficients coefficients = given.At(std::sqrt(velocity.squaredNorm() + turning));
+  AirCoefficients coefficients = given;
+  if (given.StickySpeed > 0.0)
+  {
+    const double turning = 0.5 * gradient.squaredNorm() * this->Spread.trace();
+    coefficients = given.At(std::sqrt(velocity.squaredNorm() + turning));
+  }
   const bool hides = this->HidesItself();
   const Mixture mixture = hides ? this->Mix(velocity) : Mixture{};
   const bool plate = coefficients.Model == AirModel::Plate;
