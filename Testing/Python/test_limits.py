@@ -105,9 +105,12 @@ LISTS = {
         "that move": lambda n: {"time": {"frames": 10000}, "obstacles": [
             {"kind": "box", "min": [v - 0.05 for v in p], "max": [v + 0.05 for v in p],
              "motion": [{"frame": 0, "position": p}, {"frame": 99, "position": [p[0], p[1], p[2] + 0.05]}]} for p in grid(n)]}},
-    "/definitions/motion": {
-        "": lambda n: {"time": {"frames": n}, "obstacles": [{"kind": "sphere", "center": [1, 1, 1], "radius": 0.2, "motion": [
-            {"frame": i, "position": [1, 1, round(1 + i / n, 6)]} for i in range(n)]}]}},
+    **{f"/definitions/{kind}Obstacle/properties/motion": {"": lambda n, obstacle=obstacle: {"time": {"frames": n}, "obstacles": [
+        {**obstacle, "motion": [{"frame": i, "position": [1, 1, round(1 + i / n, 6)]} for i in range(n)]}]}}
+       for kind, obstacle in {"box": {"kind": "box", "min": [0.8, 0.8, 0.8], "max": [1.2, 1.2, 1.2]},
+                              "cylinder": {"kind": "cylinder", "base": [1, 1, 0.8], "top": [1, 1, 1.2], "radius": 0.2},
+                              "mesh": {"kind": "mesh", "file": "box.obj"},
+                              "sphere": {"kind": "sphere", "center": [1, 1, 1], "radius": 0.2}}.items()},
     "/properties/winds": {"": lambda n: {"winds": [{"direction": [1, 0, 0], "strength": 0.1, "center": p, "radius": 1, "centerTime": 3,
                                                     "duration": 1} for p in grid(n)]}},
     "/properties/vortices": {"": lambda n: {"vortices": [{"p1": p, "p2": [p[0], p[1], p[2] + 0.1], "strength": 0.1, "centerTime": 3,
@@ -144,6 +147,9 @@ class LimitsTest(unittest.TestCase):
         reds = np.zeros((100, 200, 3), np.uint8)
         reds[..., 0] = np.linspace(0, 255, 200)
         write_png(image(reds), cls.folder / "colors.png")
+        corners = "".join(f"v {x} {y} {z}\n" for x in (0, 0.2) for y in (0, 0.2) for z in (0, 0.2))
+        sides = ("1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4")
+        (cls.folder / "box.obj").write_text(corners + "".join(f"f {side}\n" for side in sides), encoding="utf-8")
 
     def test_every_list_of_the_schema_has_a_bound_and_a_scene(self):
         found = set(lists_of(SCHEMA))

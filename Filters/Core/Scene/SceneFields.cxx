@@ -2,206 +2,54 @@
 #include "Scene/SceneFields.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace waft
 {
 
-const std::vector<SceneFieldTable>& SceneFieldTables()
+SceneField& SceneField::Required()
 {
-  using namespace limits;
-  constexpr Range Version = { 1, 1 };
-  constexpr Range IdOrAny = { -1, Id.High };
-  constexpr Range Fraction = UpTo(1);
-  constexpr Range Several = { 1, SceneLists::Objects };
-  constexpr Range Tolerance = { 0, 3.141592653589793 };
-  static const std::vector<SceneFieldTable> tables = {
-    { "scene",
-      { { "waft", Version },
-        "title",
-        { "seed", Seed },
-        "time",
-        "domain",
-        "ground",
-        { "shapes", SceneLists::Shapes },
-        { "objects", SceneLists::Entries },
-        { "constraints", SceneLists::Entries },
-        { "obstacles", SceneLists::Obstacles },
-        { "winds", SceneLists::Winds },
-        { "vortices", SceneLists::Vortices },
-        "air" } },
-    { "time", { { "frames", Frames }, { "framesPerSecond", FramesPerSecond } } },
-    { "domain", { { "min", Coordinate }, { "max", Coordinate } } },
-    { "ground", { { "height", Coordinate }, "enabled" } },
-    { "air", { { "density", Density } } },
-    { "shape",
-      { "builtin",
-        "mesh",
-        "align",
-        "texture",
-        { "size", Length },
-        { "areaDensity", AreaDensity },
-        { "thickness", Length },
-        { "dragCoefficient", Coefficient },
-        { "settlingSpeed", Speed },
-        { "color", Fraction },
-        "class" } },
-    { "singleObject",
-      { "shape",
-        { "position", Coordinate },
-        { "id", Id },
-        { "velocity", Velocity },
-        { "orientation", Direction },
-        { "angularVelocity", Spin },
-        { "mass", Mass },
-        { "settlingSpeed", UpTo(Speed.High) },
-        { "clearanceRadius", Distance },
-        { "restHeight", Distance },
-        "class" } },
-    { "objectsInRegion",
-      { "shape",
-        { "count", Several },
-        "region",
-        { "seed", Seed },
-        { "velocity", Velocity },
-        { "orientation", Direction },
-        { "angularVelocity", Spin },
-        { "mass", Mass },
-        { "settlingSpeed", UpTo(Speed.High) },
-        { "clearanceRadius", Distance },
-        { "restHeight", Distance },
-        "class" } },
-    { "objectsAtPositions",
-      { "shape",
-        { "positions", Coordinate, SceneLists::Objects },
-        { "velocity", Velocity },
-        { "orientation", Direction },
-        { "angularVelocity", Spin },
-        { "mass", Mass },
-        { "settlingSpeed", UpTo(Speed.High) },
-        { "clearanceRadius", Distance },
-        { "restHeight", Distance },
-        "class" } },
-    { "region", { { "min", Coordinate }, { "max", Coordinate } } },
-    { "positionConstraint",
-      { "kind",
-        { "object", IdOrAny },
-        { "frame", Frame },
-        { "value", Coordinate },
-        { "radius", Distance },
-        "facing" } },
-    { "facing", { { "direction", Direction }, { "tolerance", Tolerance } } },
-    { "restConstraint",
-      { "kind",
-        { "object", IdOrAny },
-        { "frame", Frame },
-        { "until", Frame },
-        { "value", Coordinate },
-        "faceUp" } },
-    { "velocityConstraint",
-      { "kind",
-        { "object", Id },
-        { "frame", Frame },
-        { "value", Velocity },
-        { "radius", Distance } } },
-    { "accelerationConstraint",
-      { "kind",
-        { "object", Id },
-        { "frame", Frame },
-        { "value", Acceleration },
-        { "radius", Distance } } },
-    { "orientationConstraint",
-      { "kind",
-        { "object", Id },
-        { "frame", Frame },
-        { "value", Direction },
-        { "radius", Distance } } },
-    { "pathConstraint",
-      { "kind",
-        { "object", Id },
-        { "firstFrame", Frame },
-        { "points", Coordinate, SceneLists::Rows },
-        { "radius", Distance } } },
-    { "keyframeConstraint",
-      { "kind",
-        { "frame", Frame },
-        "targets",
-        { "objects", IdOrAny, SceneLists::Objects },
-        "assign",
-        { "velocity", Velocity },
-        { "until", Frame },
-        { "radius", Distance },
-        "facing",
-        "faceUp" } },
-    { "pointTargets",
-      { { "points", Coordinate, SceneLists::Objects }, { "classes", SceneLists::Objects } } },
-    { "textTargets",
-      { "text",
-        "font",
-        { "origin", Coordinate },
-        { "u", Direction },
-        { "v", Direction },
-        { "width", Length },
-        { "count", Several } } },
-    { "imageTargets",
-      { "image",
-        { "origin", Coordinate },
-        { "u", Direction },
-        { "v", Direction },
-        { "width", Length },
-        { "count", Several },
-        { "classes", Fraction, SceneLists::Colors } } },
-    { "meshTargets",
-      { "mesh",
-        { "origin", Coordinate },
-        { "u", Direction },
-        { "v", Direction },
-        { "width", Length },
-        { "count", Several } } },
-    { "boxObstacle",
-      { "kind",
-        { "min", Coordinate },
-        { "max", Coordinate },
-        { "id", Id },
-        { "motion", SceneLists::Keys } } },
-    { "sphereObstacle",
-      { "kind",
-        { "center", Coordinate },
-        { "radius", Length },
-        { "id", Id },
-        { "motion", SceneLists::Keys } } },
-    { "cylinderObstacle",
-      { "kind",
-        { "base", Coordinate },
-        { "top", Coordinate },
-        { "radius", Length },
-        { "id", Id },
-        { "motion", SceneLists::Keys } } },
-    { "meshObstacle",
-      { "kind",
-        "file",
-        { "position", Coordinate },
-        { "scale", Coefficient },
-        "up",
-        { "id", Id },
-        { "motion", SceneLists::Keys } } },
-    { "motionKey", { { "frame", Frame }, { "position", Coordinate } } },
-    { "analyticWind",
-      { { "direction", Direction },
-        { "strength", Acceleration },
-        { "center", Coordinate },
-        { "radius", Length },
-        { "centerTime", Time },
-        { "duration", Duration } } },
-    { "windFile", { "file", "array", "up", { "firstFrame", Frame }, { "scale", Coefficient } } },
-    { "vortex",
-      { { "p1", Coordinate },
-        { "p2", Coordinate },
-        { "strength", VortexStrength },
-        { "centerTime", Time },
-        { "duration", Duration },
-        { "coreRadius", Length } } },
-  };
-  return tables;
+  this->IsRequired = true;
+  return *this;
+}
+
+SceneField& SceneField::Or(const char* json)
+{
+  this->Default = json;
+  return *this;
+}
+
+SceneField& SceneField::Of(const char* part)
+{
+  this->Part = part;
+  return *this;
+}
+
+SceneField& SceneField::Among(std::vector<std::string> words)
+{
+  this->Words = std::move(words);
+  return *this;
+}
+
+SceneField& SceneField::Letters(std::size_t most)
+{
+  this->MostLetters = most;
+  return *this;
+}
+
+SceneField& SceneField::List(std::size_t most, std::size_t fewest)
+{
+  this->Count = SceneCount::List;
+  this->Most = most;
+  this->Fewest = fewest;
+  return *this;
+}
+
+SceneField& SceneField::Named(std::size_t most)
+{
+  this->Count = SceneCount::Named;
+  this->Most = most;
+  return *this;
 }
 
 const SceneField* SceneFieldTable::Find(const std::string& field) const

@@ -4,7 +4,7 @@
 #include "Base/SameVortices.h"
 #include "SameSceneFields.h"
 #include "Scene/WriteScene.h"
-#include "SceneSchema.h"
+#include "SchemaChecks.h"
 #include "TestAssets.h"
 
 #include <filesystem>
