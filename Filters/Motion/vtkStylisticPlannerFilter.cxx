@@ -2,6 +2,7 @@
 #include "vtkStylisticPlannerFilter.h"
 
 #include "Base/SliceOptions.h"
+#include "Base/StateArchive.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/DatabaseConversion.h"
 #include "Bridge/Data/SceneData.h"
@@ -31,6 +32,7 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <cstdint>
 
 vtkStandardNewMacro(vtkStylisticPlannerFilter);
 
@@ -79,7 +81,7 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   waft::MotionDatabase Database; // stays in its place, where the memory's tools look for it
   std::vector<std::pair<vtkDataObject*, vtkMTimeType>> GivenDatabase; // its blocks, and when
   bool HasEmbeddedDatabase = false;
-  std::vector<waft::ObstacleMesh> GivenObstacles; // what Obstacles was built from
+  std::uint64_t GivenObstacles = 0; // of what Obstacles was built from
   waft::ObstacleSet Obstacles;
   std::vector<waft::MotionObject> Objects;
   waft::PlanOutput Plan;
@@ -134,22 +136,23 @@ waft::Result vtkStylisticPlannerFilter::Internals::TakeDatabase(vtkMultiBlockDat
 /// Builds and checks the obstacles when they are others than the last time.
 waft::Result vtkStylisticPlannerFilter::Internals::TakeObstacles()
 {
-  std::vector<waft::ObstacleMesh> given = this->Fields.TakeObstacles();
-  const bool isSame =
-    std::equal(given.begin(), given.end(), this->GivenObstacles.begin(), this->GivenObstacles.end(),
-               [](const waft::ObstacleMesh& a, const waft::ObstacleMesh& b)
-               {
-                 return a.ObstacleId == b.ObstacleId && a.Mesh.Points == b.Mesh.Points &&
-                        a.Mesh.Triangles == b.Mesh.Triangles && a.Offsets == b.Offsets;
-               });
-  if (isSame)
+  if (this->Fields.HoldsObstacles())
   {
     return waft::Result::Ok();
   }
-  this->GivenObstacles.clear();
-  WAFT_RETURN_IF_FAILED(waft::BuildPlanObstacles(given, this->Obstacles));
-  this->GivenObstacles = std::move(given);
-  return waft::Result::Ok();
+  std::vector<waft::ObstacleMesh> given = this->Fields.TakeObstacles();
+  const std::uint64_t digest = waft::DigestOf(given);
+  if (digest == this->GivenObstacles)
+  {
+    return waft::Result::Ok();
+  }
+  const waft::Result built = waft::BuildPlanObstacles(std::move(given), this->Obstacles);
+  this->GivenObstacles = built ? digest : 0;
+  if (!built)
+  {
+    this->Fields.ForgetObstacles();
+  }
+  return built;
 }
 
 waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** inputs,

@@ -104,7 +104,7 @@ LISTS = {
         "cylinders": obstacles(lambda p: {"kind": "cylinder", "base": p, "top": [p[0], p[1], p[2] + 0.1], "radius": 0.05}),
         "that move": lambda n: {"time": {"frames": 10000}, "obstacles": [
             {"kind": "box", "min": [v - 0.05 for v in p], "max": [v + 0.05 for v in p],
-             "motion": [{"frame": 0, "position": p}, {"frame": 99, "position": [p[0], p[1], p[2] + 0.05]}]} for p in grid(n)]}},
+             "motion": [{"frame": 0, "position": p}, {"frame": 9999, "position": [p[0], p[1], p[2] + 0.05]}]} for p in grid(n)]}},
     **{f"/definitions/{kind}Obstacle/properties/motion": {"": lambda n, obstacle=obstacle: {"time": {"frames": n}, "obstacles": [
         {**obstacle, "motion": [{"frame": i, "position": [1, 1, round(1 + i / n, 6)]} for i in range(n)]}]}}
        for kind, obstacle in {"box": {"kind": "box", "min": [0.8, 0.8, 0.8], "max": [1.2, 1.2, 1.2]},
@@ -117,7 +117,8 @@ LISTS = {
                                                           "duration": 1, "coreRadius": 0.2} for p in grid(n)]}},
 }
 WORST = (("/properties/constraints", "that exclude one another"), ("/properties/constraints", "that any object may fulfil"),
-         ("/properties/constraints", "of velocity"), ("/properties/obstacles", "spheres"), ("/properties/objects", "in one region"))
+         ("/properties/constraints", "of velocity"), ("/properties/obstacles", "spheres"), ("/properties/obstacles", "that move"),
+         ("/properties/objects", "in one region"))
 
 
 def resolved(pointer):

@@ -8,6 +8,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Obstacles/SolidParts.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
@@ -21,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -29,23 +31,38 @@ namespace waft
 namespace
 {
 
+// An obstacle of a surface, and which of its points it has.
+struct Piece
+{
+  ObstacleMesh Obstacle;
+  std::vector<std::size_t> Points;
+
+  void AddPoint(const TriangleMesh& whole, std::size_t point)
+  {
+    this->Points.push_back(point);
+    this->Obstacle.Mesh.Points.push_back(whole.Points[point]);
+  }
+};
+
 // The solids that the surface consists of, numbered in the order of their first triangles.
-std::vector<ObstacleMesh> SplitBySolid(const TriangleMesh& whole)
+std::vector<Piece> SplitBySolid(const TriangleMesh& whole)
 {
   int count = 0;
   const std::vector<int> solidOf = SolidOfTriangles(whole, count);
-  std::vector<ObstacleMesh> obstacles(static_cast<std::size_t>(count));
+  std::vector<Piece> pieces(static_cast<std::size_t>(count));
   if (count <= 1)
   {
     // Points without a triangle are reported where the obstacle is built.
-    obstacles.resize(whole.Points.empty() ? 0 : 1);
-    for (ObstacleMesh& obstacle : obstacles)
+    pieces.resize(whole.Points.empty() ? 0 : 1);
+    for (Piece& piece : pieces)
     {
-      obstacle.Mesh = whole;
+      piece.Obstacle.Mesh = whole;
+      piece.Points.resize(whole.Points.size());
+      std::iota(piece.Points.begin(), piece.Points.end(), std::size_t(0));
     }
-    return obstacles;
+    return pieces;
   }
-  std::vector<std::map<int, int>> local(obstacles.size()); // a point may be of several
+  std::vector<std::map<int, int>> local(pieces.size()); // a point may be of several
   for (std::size_t t = 0; t < whole.Triangles.size(); ++t)
   {
     for (const int corner : whole.Triangles[t])
@@ -53,13 +70,13 @@ std::vector<ObstacleMesh> SplitBySolid(const TriangleMesh& whole)
       local[static_cast<std::size_t>(solidOf[t])].emplace(corner, 0);
     }
   }
-  for (std::size_t at = 0; at < obstacles.size(); ++at)
+  for (std::size_t at = 0; at < pieces.size(); ++at)
   {
-    obstacles[at].ObstacleId = static_cast<int>(at);
+    pieces[at].Obstacle.ObstacleId = static_cast<int>(at);
     for (auto& [corner, index] : local[at]) // in their order in the whole
     {
-      index = static_cast<int>(obstacles[at].Mesh.Points.size());
-      obstacles[at].Mesh.Points.push_back(whole.Points[static_cast<std::size_t>(corner)]);
+      index = static_cast<int>(pieces[at].Points.size());
+      pieces[at].AddPoint(whole, static_cast<std::size_t>(corner));
     }
   }
   for (std::size_t t = 0; t < whole.Triangles.size(); ++t)
@@ -68,33 +85,33 @@ std::vector<ObstacleMesh> SplitBySolid(const TriangleMesh& whole)
     std::array<int, 3> triangle{};
     std::transform(whole.Triangles[t].begin(), whole.Triangles[t].end(), triangle.begin(),
                    [&](int corner) { return local[at].at(corner); });
-    obstacles[at].Mesh.Triangles.push_back(triangle);
+    pieces[at].Obstacle.Mesh.Triangles.push_back(triangle);
   }
-  return obstacles;
+  return pieces;
 }
 
 // The surface split by ObstacleId, ids increasing, or by its solids where it has no ids. Points are
 // renumbered per obstacle.
-Result SplitObstacles(vtkPolyData* data, std::vector<ObstacleMesh>& obstacles)
+Result SplitObstacles(vtkPolyData* data, std::vector<Piece>& pieces)
 {
   TriangleMesh whole;
   WAFT_RETURN_IF_FAILED(MeshFromPolyData(data, "Obstacles", whole));
   if (data->GetPointData()->GetAbstractArray(names::ObstacleId) == nullptr)
   {
-    obstacles = SplitBySolid(whole);
+    pieces = SplitBySolid(whole);
     return Result::Ok();
   }
   const ArraySource source{ data->GetPointData(), "Obstacles", data->GetNumberOfPoints() };
   std::vector<int> ids;
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::ObstacleId, ids));
-  std::map<int, ObstacleMesh> byId;
+  std::map<int, Piece> byId;
   std::vector<int> local(whole.Points.size(), -1);
   for (std::size_t i = 0; i < whole.Points.size(); ++i)
   {
-    ObstacleMesh& obstacle = byId[ids[i]];
-    obstacle.ObstacleId = ids[i];
-    local[i] = static_cast<int>(obstacle.Mesh.Points.size());
-    obstacle.Mesh.Points.push_back(whole.Points[i]);
+    Piece& piece = byId[ids[i]];
+    piece.Obstacle.ObstacleId = ids[i];
+    local[i] = static_cast<int>(piece.Points.size());
+    piece.AddPoint(whole, i);
   }
   for (const auto& t : whole.Triangles)
   {
@@ -108,41 +125,40 @@ Result SplitObstacles(vtkPolyData* data, std::vector<ObstacleMesh>& obstacles)
                              std::to_string(ids[static_cast<std::size_t>(corner)]));
       }
     }
-    byId[id].Mesh.Triangles.push_back({ local[static_cast<std::size_t>(t[0])],
-                                        local[static_cast<std::size_t>(t[1])],
-                                        local[static_cast<std::size_t>(t[2])] });
+    byId[id].Obstacle.Mesh.Triangles.push_back({ local[static_cast<std::size_t>(t[0])],
+                                                 local[static_cast<std::size_t>(t[1])],
+                                                 local[static_cast<std::size_t>(t[2])] });
   }
-  obstacles.clear();
   for (auto& entry : byId)
   {
-    obstacles.push_back(std::move(entry.second));
+    pieces.push_back(std::move(entry.second));
   }
   return Result::Ok();
 }
 
 // Adds the obstacles of another block.
-void PutBeside(std::vector<ObstacleMesh> others, std::vector<ObstacleMesh>& all)
+void PutBeside(std::vector<Piece> others, std::vector<Piece>& all)
 {
   std::set<int> taken;
-  for (const ObstacleMesh& obstacle : all)
+  for (const Piece& piece : all)
   {
-    taken.insert(obstacle.ObstacleId);
+    taken.insert(piece.Obstacle.ObstacleId);
   }
   const std::set<int> before = taken;
-  for (const ObstacleMesh& other : others)
+  for (const Piece& other : others)
   {
-    taken.insert(other.ObstacleId);
+    taken.insert(other.Obstacle.ObstacleId);
   }
   int free = 0;
-  for (ObstacleMesh& other : others)
+  for (Piece& other : others)
   {
-    if (before.count(other.ObstacleId) > 0)
+    if (before.count(other.Obstacle.ObstacleId) > 0)
     {
       while (!taken.insert(free).second)
       {
         ++free;
       }
-      other.ObstacleId = free;
+      other.Obstacle.ObstacleId = free;
     }
     all.push_back(std::move(other));
   }
@@ -157,28 +173,45 @@ Result SeenAlready(const std::string& owner, double time, double last)
                            std::to_string(time) + " s after " + std::to_string(last) + " s");
 }
 
-// How an obstacle stands away from where it stood first; fails when it turned or deformed.
-Result Displacement(const ObstacleMesh& first, const ObstacleMesh& now, double time, Vec3& offset)
+std::string AtTime(const ObstacleMesh& obstacle, double time)
 {
-  const std::string what = "Obstacles: obstacle " + std::to_string(first.ObstacleId) + " at time " +
-                           std::to_string(time) + " s: ";
-  if (now.ObstacleId != first.ObstacleId || now.Mesh.Points.size() != first.Mesh.Points.size())
-  {
-    return Result::Error(what + "expected the same points at every time step");
-  }
+  return "Obstacles: obstacle " + std::to_string(obstacle.ObstacleId) + " at time " +
+         std::to_string(time) + " s: ";
+}
+
+// How an obstacle stands away from where it stood first, its points being `points` of `now`; fails
+// when it turned or deformed.
+Result Displacement(const ObstacleMesh& first, const std::vector<std::size_t>& points,
+                    const std::vector<Vec3>& now, double time, Vec3& offset)
+{
   double size = 0.0;
-  offset = now.Mesh.Points[0] - first.Mesh.Points[0];
-  for (std::size_t i = 0; i < first.Mesh.Points.size(); ++i)
+  offset = now[points[0]] - first.Mesh.Points[0];
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
     size = std::max(size, (first.Mesh.Points[i] - first.Mesh.Points[0]).norm());
-    const double error = (now.Mesh.Points[i] - first.Mesh.Points[i] - offset).norm();
+    const double error = (now[points[i]] - first.Mesh.Points[i] - offset).norm();
     if (error > 1e-5 * (size + offset.norm()) + 1e-9)
     {
-      return Result::Error(what + "it may move, not turn or deform (point " + std::to_string(i) +
-                           " is off by " + std::to_string(error) + " m)");
+      return Result::Error(AtTime(first, time) + "it may move, not turn or deform (point " +
+                           std::to_string(i) + " is off by " + std::to_string(error) + " m)");
     }
   }
   return Result::Ok();
+}
+
+// When what says which points are of which obstacle changed last.
+std::vector<vtkMTimeType> LayoutChanges(const std::vector<vtkPolyData*>& surfaces)
+{
+  std::vector<vtkMTimeType> changes;
+  for (vtkPolyData* surface : surfaces)
+  {
+    vtkAbstractArray* ids = surface->GetPointData()->GetAbstractArray(names::ObstacleId);
+    changes.push_back(static_cast<vtkMTimeType>(surface->GetNumberOfPoints()));
+    changes.push_back(surface->GetPolys()->GetMTime());
+    changes.push_back(surface->GetStrips()->GetMTime());
+    changes.push_back(ids == nullptr ? 0 : ids->GetMTime());
+  }
+  return changes;
 }
 
 } // namespace
@@ -254,56 +287,110 @@ Result ObstacleCollector::Add(vtkDataObject* data, double time, const Timeline& 
   {
     return Result::Ok();
   }
-  if (!this->Steps.empty() && time <= this->LastTime)
+  if (!this->Frames.empty() && time <= this->LastTime)
   {
     return SeenAlready("Obstacles", time, this->LastTime);
   }
   const int frame = static_cast<int>(std::lround(time * line.FramesPerSecond));
   this->LastTime = time;
-  if (!this->Steps.empty() && change == this->LastChange)
+  if (!this->Frames.empty() && change == this->LastChange)
   {
+    for (ObstacleMesh& obstacle : this->Obstacles)
+    {
+      obstacle.Offsets.push_back(obstacle.Offsets.back());
+    }
     this->Frames.push_back(frame);
-    this->Steps.push_back(this->Steps.back());
     return Result::Ok();
   }
-  std::vector<ObstacleMesh> now;
+  std::vector<vtkMTimeType> layout = LayoutChanges(surfaces);
+  if (this->Frames.empty() || layout != this->LastLayout)
+  {
+    WAFT_RETURN_IF_FAILED(this->Split(surfaces, time));
+  }
+  WAFT_RETURN_IF_FAILED(this->Move(surfaces, time, line));
+  this->Frames.push_back(frame);
+  this->LastChange = std::move(change);
+  this->LastLayout = std::move(layout);
+  return Result::Ok();
+}
+
+Result ObstacleCollector::Split(const std::vector<vtkPolyData*>& surfaces, double time)
+{
+  std::vector<Piece> now;
+  std::size_t before = 0; // points of earlier surfaces
   for (vtkPolyData* surface : surfaces)
   {
-    std::vector<ObstacleMesh> own;
+    std::vector<Piece> own;
     WAFT_RETURN_IF_FAILED(SplitObstacles(surface, own));
+    for (Piece& piece : own)
+    {
+      for (std::size_t& point : piece.Points)
+      {
+        point += before;
+      }
+    }
     PutBeside(std::move(own), now);
+    before += static_cast<std::size_t>(surface->GetNumberOfPoints());
   }
-  if (this->Steps.empty())
-  {
-    this->Obstacles = now;
-  }
-  if (now.size() != this->Obstacles.size())
+  if (!this->Frames.empty() && now.size() != this->Obstacles.size())
   {
     return Result::Error("Obstacles: expected the same obstacles at every time step, found " +
                          std::to_string(now.size()) + " instead of " +
                          std::to_string(this->Obstacles.size()));
   }
-  std::vector<Vec3> offsets(now.size(), Vec3::Zero());
+  this->PointsOf.resize(now.size());
   for (std::size_t i = 0; i < now.size(); ++i)
   {
-    WAFT_RETURN_IF_FAILED(Displacement(this->Obstacles[i], now[i], time, offsets[i]));
+    if (this->Frames.empty())
+    {
+      this->Obstacles.push_back(std::move(now[i].Obstacle));
+    }
+    else if (now[i].Obstacle.ObstacleId != this->Obstacles[i].ObstacleId ||
+             now[i].Points.size() != this->Obstacles[i].Mesh.Points.size())
+    {
+      return Result::Error(AtTime(this->Obstacles[i], time) +
+                           "expected the same points at every time step");
+    }
+    this->PointsOf[i] = std::move(now[i].Points);
   }
-  this->Frames.push_back(frame);
-  this->Steps.push_back(std::move(offsets));
-  this->LastChange = std::move(change);
+  return Result::Ok();
+}
+
+Result ObstacleCollector::Move(const std::vector<vtkPolyData*>& surfaces, double time,
+                               const Timeline& line)
+{
+  std::vector<Vec3> all;
+  for (vtkPolyData* surface : surfaces)
+  {
+    std::vector<Vec3> own;
+    WAFT_RETURN_IF_FAILED(ReadPoints(surface->GetPoints(), "Obstacles", own));
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  for (std::size_t i = 0; i < this->Obstacles.size(); ++i)
+  {
+    ObstacleMesh& obstacle = this->Obstacles[i];
+    Vec3 offset = Vec3::Zero();
+    obstacle.Offsets.reserve(static_cast<std::size_t>(line.NumberOfFrames));
+    WAFT_RETURN_IF_FAILED(Displacement(obstacle, this->PointsOf[i], all, time, offset));
+    obstacle.Offsets.push_back(offset);
+  }
   return Result::Ok();
 }
 
 std::vector<ObstacleMesh> ObstacleCollector::Take()
 {
   const int last = this->Frames.empty() ? 0 : this->Frames.back();
-  for (std::size_t i = 0; i < this->Obstacles.size(); ++i)
+  const bool isEachFrame = !this->Frames.empty() && this->Frames.front() == 0 &&
+                           this->Frames.size() == std::size_t(last) + 1;
+  for (ObstacleMesh& obstacle : this->Obstacles)
   {
-    bool isMoving = false;
-    for (const auto& step : this->Steps)
+    const bool isMoving = std::any_of(obstacle.Offsets.begin(), obstacle.Offsets.end(),
+                                      [](const Vec3& step) { return step.norm() > 1e-9; });
+    if (isMoving && isEachFrame)
     {
-      isMoving = isMoving || step[i].norm() > 1e-9;
+      continue;
     }
+    const std::vector<Vec3> steps = std::exchange(obstacle.Offsets, {});
     std::size_t next = 0;
     for (int frame = 0; isMoving && frame <= last; ++frame)
     {
@@ -314,8 +401,7 @@ std::vector<ObstacleMesh> ObstacleCollector::Take()
       const std::size_t before = next > 0 && this->Frames[next] > frame ? next - 1 : next;
       const double span = this->Frames[next] - this->Frames[before];
       const double f = span > 0.0 ? (frame - this->Frames[before]) / span : 0.0;
-      this->Obstacles[i].Offsets.push_back((1.0 - f) * this->Steps[before][i] +
-                                           f * this->Steps[next][i]);
+      obstacle.Offsets.push_back((1.0 - f) * steps[before] + f * steps[next]);
     }
   }
   std::vector<ObstacleMesh> obstacles = std::move(this->Obstacles);

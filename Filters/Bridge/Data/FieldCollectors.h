@@ -39,15 +39,20 @@ class ObstacleCollector
 public:
   /// The surface, or blocks of surfaces, at one time [s]; one without points adds nothing. Steps
   /// come in increasing order of time (the same step again is passed over, an earlier one refused).
-  /// Data whose points did not change since the last step cost nothing.
+  /// Data whose points did not change since the last step cost nothing, and where points alone did
+  /// nothing but these is read.
   Result Add(vtkDataObject* data, double time, const Timeline& line);
   std::vector<ObstacleMesh> Take();
 
 private:
-  std::vector<ObstacleMesh> Obstacles;
-  std::vector<int> Frames;              // of the steps seen
-  std::vector<std::vector<Vec3>> Steps; // [step][obstacle] displacement
-  std::vector<vtkMTimeType> LastChange; // of the points of each surface
+  Result Split(const std::vector<vtkPolyData*>& surfaces, double time);
+  Result Move(const std::vector<vtkPolyData*>& surfaces, double time, const Timeline& line);
+
+  std::vector<ObstacleMesh> Obstacles;            // as they stood first, displaced at the steps
+  std::vector<std::vector<std::size_t>> PointsOf; // of each, in all surfaces one after another
+  std::vector<int> Frames;                        // of the steps seen
+  std::vector<vtkMTimeType> LastChange;           // of the points of each surface
+  std::vector<vtkMTimeType> LastLayout;           // of the triangles and ids of each
   double LastTime = 0.0;
 };
 

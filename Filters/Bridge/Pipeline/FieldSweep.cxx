@@ -95,18 +95,12 @@ bool FieldSweep::Continue(vtkInformation* request)
 
 std::vector<ObstacleMesh> FieldSweep::TakeObstacles()
 {
-  if (!this->IsKept)
+  if (this->Keeps)
   {
-    std::vector<ObstacleMesh> taken = this->Obstacles.Take();
-    if (!this->Keeps)
-    {
-      return taken;
-    }
-    this->Kept = std::move(taken);
     this->KeptSignature = this->Signature;
     this->KeptRate = this->Rate;
   }
-  return this->Kept;
+  return this->Obstacles.Take();
 }
 
 Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)

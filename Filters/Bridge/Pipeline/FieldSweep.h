@@ -23,7 +23,7 @@ public:
   static constexpr int NoPort = -1;
 
   explicit FieldSweep(int obstaclesPort = NoPort, int windPort = NoPort, int airPort = NoPort);
-  /// From now on obstacles are kept from one sweep to the next, and there is no sweep while nothing
+  /// From now on the stage has the obstacles that it took, and there is no sweep while nothing
   /// changes upstream of their port. Of a stage without wind and air only.
   void KeepObstacles() { this->Keeps = this->WindPort == NoPort && this->AirPort == NoPort; }
   /// Like TimeSweep::RequestSteps; of images all is asked for, whatever their lattices.
@@ -38,6 +38,10 @@ public:
   bool Leave(vtkInformation* request);
   void Reset(vtkInformation* request) { this->Sweep.Reset(request); }
 
+  /// Whether the obstacles that were taken last still hold.
+  bool HoldsObstacles() const { return this->IsKept; }
+  /// The stage lost them: the next run sweeps.
+  void ForgetObstacles() { this->KeptSignature.clear(); }
   /// After the last pass, once each; of the air also after each pass, what came since.
   std::vector<ObstacleMesh> TakeObstacles();
   FieldSeries TakeWind() { return this->Wind.Take(); }
@@ -56,7 +60,6 @@ private:
   bool MustSweep = false; // it cannot, after all
   std::vector<vtkMTimeType> Signature, KeptSignature; // of the obstacles' port
   double Rate = 0.0, KeptRate = 0.0;                  // frames per second
-  std::vector<ObstacleMesh> Kept;
 };
 
 } // namespace waft

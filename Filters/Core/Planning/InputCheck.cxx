@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace waft
 {
@@ -120,9 +121,9 @@ std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const S
   return remarks;
 }
 
-Result BuildPlanObstacles(const std::vector<ObstacleMesh>& meshes, ObstacleSet& obstacles)
+Result BuildPlanObstacles(std::vector<ObstacleMesh> meshes, ObstacleSet& obstacles)
 {
-  WAFT_RETURN_IF_FAILED(obstacles.Build(meshes));
+  WAFT_RETURN_IF_FAILED(obstacles.Build(std::move(meshes)));
   for (const ObstacleMesh& obstacle : obstacles.Obstacles())
   {
     WAFT_RETURN_IF_FAILED(CheckSelfIntersection(

@@ -17,7 +17,7 @@ Result CheckPlanInput(const PlanInput& input);
 std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene);
 
 /// Builds the obstacles that paths are planned around; each is checked for cutting itself, too.
-Result BuildPlanObstacles(const std::vector<ObstacleMesh>& meshes, ObstacleSet& obstacles);
+Result BuildPlanObstacles(std::vector<ObstacleMesh> meshes, ObstacleSet& obstacles);
 
 /// DatabaseRemarks, and what no line of the report could say: of objects without a row.
 std::vector<std::string> PlanRemarks(const MotionDatabase& database, const SceneInfo& scene,

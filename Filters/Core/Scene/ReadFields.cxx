@@ -202,6 +202,7 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
   }
   const bool moves = std::any_of(positions.begin(), positions.end(),
                                  [&](const Vec3& at) { return at != positions.front(); });
+  obstacle.Offsets.reserve(moves ? positions.size() : 0);
   for (std::size_t frame = 0; moves && frame < positions.size(); ++frame)
   {
     obstacle.Offsets.push_back(positions[frame] - reference);
