@@ -15,6 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet  # noqa: E402
 from vtkmodules.vtkFiltersSources import vtkPlaneSource  # noqa: E402
+from vtkmodules.vtkIOImage import vtkPNGWriter  # noqa: E402
 
 import sample_folder  # noqa: E402
 
@@ -25,6 +26,7 @@ from waft.measuring import _flights, _two_sample  # noqa: E402
 from waft.measuring._airfield import AirField  # noqa: E402
 from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, gliding, make_drifters  # noqa: E402
 from waft.measuring._flights import Flights  # noqa: E402
+from waft.measuring._legibility import covered  # noqa: E402
 from waft.measuring._runs import flight, held, read_run  # noqa: E402
 from waft.measuring.rows import _control, _lacking, table  # noqa: E402
 from waft.reading import read_picture, read_surface  # noqa: E402
@@ -118,16 +120,59 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
     return folder
 
 
-def write_folder_rows(folder, positions, frame, what, until, radius, which):
-    """constraints.vtp with a row for each of some bodies, where they are at that frame."""
+def write_folder_rows(folder, positions, frame, what, until, radius, which, facing=(0.0, 0.0, 0.0)):
+    """constraints.vtp with a row for each of some bodies, where they are at that frame: targets of the scene's first."""
     which = np.array(list(which))
     rows = sample_folder._vertices(positions[which, frame])
     columns = rows.GetPointData()
     for name, value, kind in (("Frame", frame, np.int32), ("Kind", what, np.uint8), ("Until", until, np.int32), ("Radius", radius, float)):
         sample_folder.add(columns, name, np.full(len(which), value), kind)
+    sample_folder.add(columns, "Row", np.zeros(len(which)), np.int32)
+    sample_folder.add(columns, "Facing", np.tile(facing, (len(which), 1)))
     sample_folder.add(columns, "ObjectId", which, np.int32)
     sample_folder.add(columns, "Value", np.pad(positions[which, frame], ((0, 0), (0, 1))))
     write_xml(rows, os.path.join(folder, "constraints.vtp"))
+
+
+def write_poses(folder, orientations, length, width):
+    """poses.vtp of a folder's tracks, whose bodies are sheets, with these orientations [body, frame, 4]; returns it."""
+    poses = read_surface(os.path.join(folder, "planned.vtp"))
+    sample_folder.add(poses.GetPointData(), "Orientation", orientations.reshape(-1, 4))
+    write_xml(poses, os.path.join(folder, "poses.vtp"))
+    objects = read_surface(os.path.join(folder, "objects.vtp"))
+    sample_folder.add(objects.GetPointData(), "ShapeId", np.zeros(len(orientations)), np.int32)
+    sample_folder.add(objects.GetPointData(), "ClearanceRadius", np.full(len(orientations), 0.5 * length))
+    write_xml(objects, os.path.join(folder, "objects.vtp"))
+    sheet = vtkPlaneSource()
+    sheet.SetOrigin(-0.5 * length, -0.5 * width, 0.0)
+    sheet.SetPoint1(0.5 * length, -0.5 * width, 0.0)
+    sheet.SetPoint2(-0.5 * length, 0.5 * width, 0.0)
+    sheet.Update()
+    shapes = vtkMultiBlockDataSet()
+    shapes.SetBlock(0, sheet.GetOutput())
+    write_xml(shapes, os.path.join(folder, "shapes.vtm"))
+    return poses
+
+
+def write_drawing(folder):
+    """A scene of one sheet that is to stand upright before the middle of a picture of 40 x 20 pixels of 2 cm, of which the middle
+    20 x 10 are drawn; returns its file."""
+    image = vtkImageData()
+    image.SetDimensions(40, 20, 1)
+    pixels = np.zeros((20, 40, 4), np.uint8)
+    pixels[5:15, 10:30] = 255
+    sample_folder.add(image.GetPointData(), "Colours", pixels.reshape(-1, 4), np.uint8)
+    image.GetPointData().SetActiveScalars("Colours")
+    writer = vtkPNGWriter()
+    writer.SetFileName(os.path.join(folder, "sheet.png"))
+    writer.SetInputData(image)
+    writer.Write()
+    path = os.path.join(folder, "sheet.waft.json")
+    target = {"image": "sheet.png", "origin": [0.0, 0.0, 1.0], "u": [1.0, 0.0, 0.0], "v": [0.0, 0.0, 1.0], "width": 0.8, "count": 1}
+    with open(path, "w", encoding="utf-8") as stream:
+        json.dump({"waft": 1, "shapes": {"sheet": {"builtin": "disc"}}, "objects": [{"shape": "sheet", "position": [0.0, 0.0, 3.0]}],
+                   "constraints": [{"kind": "keyframe", "frame": 75, "targets": target}]}, stream)
+    return path
 
 
 class DefinitionTest(unittest.TestCase):
@@ -330,24 +375,10 @@ class DefinitionTest(unittest.TestCase):
         def shares():
             return [measure(folder)[0][key].value for key in ("cuts", "cuts_marks")]
 
-        poses = read_surface(os.path.join(folder, "planned.vtp"))
         turned = np.zeros((COUNT, FRAMES, 4))
         turned[..., 0] = 1.0
         turned[1] = math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0
-        sample_folder.add(poses.GetPointData(), "Orientation", turned.reshape(-1, 4))
-        write_xml(poses, os.path.join(folder, "poses.vtp"))
-        objects = read_surface(os.path.join(folder, "objects.vtp"))
-        sample_folder.add(objects.GetPointData(), "ShapeId", np.zeros(COUNT), np.int32)
-        sample_folder.add(objects.GetPointData(), "ClearanceRadius", np.full(COUNT, 0.1))
-        write_xml(objects, os.path.join(folder, "objects.vtp"))
-        sheet = vtkPlaneSource()
-        sheet.SetOrigin(-0.1, -0.05, 0.0)
-        sheet.SetPoint1(0.1, -0.05, 0.0)
-        sheet.SetPoint2(-0.1, 0.05, 0.0)
-        sheet.Update()
-        shapes = vtkMultiBlockDataSet()
-        shapes.SetBlock(0, sheet.GetOutput())
-        write_xml(shapes, os.path.join(folder, "shapes.vtm"))
+        poses = write_poses(folder, turned, 0.2, 0.1)
         # They cross over 0.2 m along y, less the depth at either end; each counts.
         step = 2.0 / (FRAMES - 1)
         self.assertAlmostEqual(shares()[0], 2 * 0.192 / step / (COUNT * FRAMES), delta=2 * 2 / (COUNT * FRAMES))
@@ -361,6 +392,63 @@ class DefinitionTest(unittest.TestCase):
         write_xml(poses, os.path.join(folder, "poses.vtp"))
         self.assertGreater(sum(lying), 0.0, "one flies through one that lies")
         self.assertEqual(sum(shares()), 0.0, "both lie")
+
+    def test_a_drawing_is_read_of_the_silhouette_of_its_bodies(self):
+        """A sheet that is as large as what is drawn, and flies level until it stands upright at its mark."""
+        positions = np.repeat(places(2)[:, None], FRAMES, axis=1)
+        positions[0] = 0.0, 0.0, 1.0
+        folder = write_folder(os.path.join(WORK, "legible"), positions)
+        scene = write_drawing(folder)
+        write_folder_rows(folder, positions, frame=75, what=0, until=75, radius=0.0, which=[0])
+
+        def figures(orientation):
+            turned = np.zeros((2, FRAMES, 4))
+            turned[..., 0] = 1.0
+            turned[0, 60:] = orientation
+            write_poses(folder, turned, 0.4, 0.2)
+            measured = measure(folder, scene=scene)[0]
+            return [measured[key] for key in ("legibility", "legibility_facing")]
+
+        half = math.sqrt(0.5)
+        own, facing = figures((half, half, 0.0, 0.0))
+        self.assertAlmostEqual(own.value, 1.0)
+        self.assertAlmostEqual(facing.value, 1.0)
+        self.assertLess(own.drifters, 0.3, "level, it is seen as a line")
+        self.assertIsNone(own.met, "nothing is asked of it")
+        # Turned by 60 degrees about the vertical it shows half of its width: of pixels in the picture and 0.23 m around it, 100 of the 200.
+        about = math.cos(math.pi / 6.0), math.sin(math.pi / 6.0)
+        own, facing = figures((about[0] * half, about[0] * half, about[1] * half, about[1] * half))
+        share = 200.0 / (64 * 44)
+        self.assertAlmostEqual(own.value, math.sqrt(0.5 * (1.0 - share) / (1.0 - 0.5 * share)))
+        self.assertAlmostEqual(facing.value, 1.0)
+        write_folder_rows(folder, positions, frame=75, what=0, until=75, radius=0.0, which=[0], facing=(0.0, -1.0, 0.0))
+        own, _ = figures((1.0, 0.0, 0.0, 0.0))
+        self.assertAlmostEqual(own.wanted[0], 0.5 * (own.drifters + 1.0), delta=1e-3)
+        self.assertIs(own.met, False, "it stays as it flew")
+        self.assertIs(figures((half, half, 0.0, 0.0))[0].met, True)
+        # From aside it is seen as wide as it is, and the drawing with it.
+        write_folder_rows(folder, positions, frame=75, what=0, until=75, radius=0.0, which=[0], facing=(1.0, -1.0, 0.0))
+        self.assertAlmostEqual(figures((half, half, 0.0, 0.0))[0].value, 1.0)
+        write_folder_rows(folder, positions, frame=75, what=0, until=75, radius=0.0, which=[0], facing=(1.0, 0.0, 0.0))
+        self.assertIn("edge-on", figures((half, half, 0.0, 0.0))[0].why)
+        self.assertIn("--scene", measure(folder)[0]["legibility"].why)
+        write_folder_rows(folder, positions, frame=75, what=1, until=75, radius=0.0, which=[0])
+        with self.assertRaisesRegex(BadInput, "no object at a target of /constraints/0"):
+            measure(folder, scene=scene)
+        with self.assertRaisesRegex(BadInput, "none.waft.json: expected a scene file"):
+            measure(folder, scene="none.waft.json")
+
+    def test_pixels_under_triangles(self):
+        random = np.random.RandomState(4)
+        corners = random.uniform(0.0, 30.0, (12, 1, 2)) + random.uniform(-6.0, 6.0, (12, 3, 2))
+        corners[:4] = corners[:4, :1]  # without an area
+        y, x = np.mgrid[:20, :30]
+        wanted = np.zeros((20, 30), bool)
+        for a, b, c in corners:
+            turns = [(q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]) for p, q in ((a, b), (b, c), (c, a))]
+            wanted |= np.all(np.array(turns) > 0.0, axis=0) | np.all(np.array(turns) < 0.0, axis=0)
+        self.assertTrue(np.array_equal(covered(corners, wanted.shape), wanted))
+        self.assertTrue(0 < covered(corners[4:6], wanted.shape).sum() < wanted.sum())
 
     def test_a_given_path_is_no_flight(self):
         frames = np.array([*range(30, 41), 60])

@@ -205,8 +205,12 @@ void SceneReader::Read(const SceneNode& root)
   this->WarnOfMore();
 }
 
-Result ParseScene(const std::string& text, const std::string& name, const std::string& folder,
-                  const SceneAssets& assets, Scene& scene)
+namespace
+{
+
+// A scene from a text, and what its keyframes draw where that is asked for.
+Result Parse(const std::string& text, const std::string& name, const std::string& folder,
+             const SceneAssets& assets, Scene& scene, std::vector<SceneDrawing>* drawings)
 {
   try
   {
@@ -214,7 +218,12 @@ Result ParseScene(const std::string& text, const std::string& name, const std::s
     Scene read;
     try
     {
-      SceneReader(name, folder, assets, read).Read(SceneNode(json, ""));
+      SceneReader reader(name, folder, assets, read);
+      if (drawings != nullptr)
+      {
+        reader.KeepDrawings(*drawings);
+      }
+      reader.Read(SceneNode(json, ""));
       KeepAuthored(json, folder, read);
     }
     catch (const SceneError& error)
@@ -232,6 +241,14 @@ Result ParseScene(const std::string& text, const std::string& name, const std::s
   {
     return Result::Error(name + ": " + error.what());
   }
+}
+
+} // namespace
+
+Result ParseScene(const std::string& text, const std::string& name, const std::string& folder,
+                  const SceneAssets& assets, Scene& scene)
+{
+  return Parse(text, name, folder, assets, scene, nullptr);
 }
 
 bool IsSceneFile(const std::string& file)
@@ -273,6 +290,17 @@ Result ReadScene(const std::string& file, const SceneAssets& assets, Scene& scen
   std::string text;
   WAFT_RETURN_IF_FAILED(ReadSceneText(file, text));
   return ParseScene(text, file, std::filesystem::path(file).parent_path().string(), assets, scene);
+}
+
+Result ReadDrawings(const std::string& file, const SceneAssets& assets,
+                    std::vector<SceneDrawing>& drawings)
+{
+  std::string text;
+  WAFT_RETURN_IF_FAILED(ReadSceneText(file, text));
+  Scene scene;
+  drawings.clear();
+  return Parse(text, file, std::filesystem::path(file).parent_path().string(), assets, scene,
+               &drawings);
 }
 
 } // namespace waft

@@ -79,6 +79,11 @@ std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node,
           return SampleMask(mask, count, limits, this->Out.Info.Seed,
                             static_cast<std::uint64_t>(row), samples);
         });
+  if (this->Drawings != nullptr)
+  {
+    this->Drawings->push_back(
+      { row, frame.Origin, frame.U, frame.V, frame.Width, std::move(mask) });
+  }
   std::vector<Target> targets;
   for (const PlaneTarget& sample : samples)
   {

@@ -5,8 +5,8 @@
 #include "Obstacles/TriangleTree.h"
 #include "Scene/NearObjects.h"
 #include "Scene/Scene.h"
+#include "Scene/SceneDrawings.h"
 #include "Scene/SceneNode.h"
-#include "Scene/TargetMask.h"
 
 #include <functional>
 #include <map>
@@ -28,6 +28,8 @@ public:
   /// These throw SceneError. One entry is read after what the scene has already, as if it came next
   /// in the file, `index` in its list.
   void Read(const SceneNode& root);
+  /// Keeps what keyframes draw in a plane as they are read.
+  void KeepDrawings(std::vector<SceneDrawing>& drawings) { this->Drawings = &drawings; }
   void ReadShape(const SceneNode& node, const std::string& name);
   void ReadGround(const SceneNode& root);
   void AddGround();
@@ -112,6 +114,7 @@ private:
   std::string Folder;
   const SceneAssets& Assets;
   Scene& Out;
+  std::vector<SceneDrawing>* Drawings = nullptr; // where they are wanted
   bool HasGround = true;
   double GroundHeight = 0.0;
   std::map<int, std::size_t> IndexOfObject;           // by id

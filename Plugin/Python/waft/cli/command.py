@@ -279,6 +279,7 @@ def parser() -> argparse.ArgumentParser:
     judge.add_argument("--json", type=path, nargs="?", const="-", metavar="FILE",
                        help="the rows as JSON; without FILE on stdout, instead of the table")
     judge.add_argument("--plots", type=path, metavar="FOLDER", help="a picture of each beside the drifters'; needs matplotlib")
+    judge.add_argument("--scene", type=path, metavar="SCENE", help="the scene that was flown: how well its texts and pictures are to be read")
     judge.add_argument("--drifters", type=path, metavar="FILE", help="the bodies in free air to measure by (default: those that "
                                                                      "come with Waft)")
     judge.add_argument("--make-drifters", type=path, metavar="FILE", help="measure nothing; simulate drifters for the volume, frame "
@@ -502,7 +503,7 @@ def run_measure(options):
         return failures.ALL_MET
     if options.json and options.json != "-":
         check_target(options.json, is_marked_json)
-    measured = measure(options.folders, options.tracks, options.drifters, options.plots)
+    measured = measure(options.folders, options.tracks, options.drifters, options.plots, scene=options.scene)
     rows = marked_rows([one.as_json() for one in measured])
     if options.json == "-":
         json.dump(rows, sys.stdout, indent=2)

@@ -15,6 +15,7 @@ from waft.measuring._airfield import read_air
 from waft.measuring._approach import FIRST, LAST, LEAST_BODIES, approach
 from waft.measuring._drifters import Drifters, gliding, make_drifters
 from waft.measuring._flights import rms
+from waft.measuring._legibility import FILES as READABLE, legibility, read_drawings
 from waft.measuring._meshcuts import FILES
 from waft.measuring._runs import TRACKS, largest_residual, read_run
 
@@ -83,7 +84,7 @@ class Measured:
 
 
 def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", drifters: Optional[Path] = None, plots: Optional[Path] = None,
-            progress: Optional[Callable[[float, str], None]] = None) -> "List[Measured]":
+            progress: Optional[Callable[[float, str], None]] = None, scene: Optional[Path] = None) -> "List[Measured]":
     """Measures the motion of folders that `waft synthesize` wrote.
 
     folders:  one, or a list; with several, what is of the same scene is measured pooled, too
@@ -91,6 +92,7 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
     drifters: a file that make_drifters wrote; if None one that comes with Waft, for the scene's volume where there is one
     plots:    a folder for pictures beside the drifters' (needs matplotlib)
     progress: called with the part done (0..1) and a sentence
+    scene:    the scene file that was flown, whose texts and pictures are looked for in the motion
 
     Returns a list of Measured: one a folder, and last "pooled" where there are several. Raises BadInput that names the file and
     the lack.
@@ -106,13 +108,14 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
         check_pictures([str(folder) for folder in folders] + ["pooled"] * (len(folders) > 1), tracks, plots)
     runs = [read_run(folder, tracks) for folder in folders]  # what is malformed is reported before anything is computed
     given = drifters and Drifters(drifters)
+    drawings = None if scene is None else read_drawings(scene)
     done = []
     for run in runs:
-        done.append(_measured([run], given, tracks, read_air(run.folder) if tracks != "planned" else None))
+        done.append(_measured([run], given, tracks, drawings, read_air(run.folder) if tracks != "planned" else None))
         if progress:
             progress(len(done) / (len(runs) + 1), f"{run.folder} measured")
     if len(runs) > 1:
-        done.append(_measured(runs, given, tracks, None))
+        done.append(_measured(runs, given, tracks, drawings, None))
     if plots is not None:
         from waft.measuring._measureplots import draw
 
@@ -141,7 +144,7 @@ def make_drifters_for(folders: Sequence[Path], path: Path, speeds: Optional[Sequ
                   airs, seed, progress=progress)
 
 
-def _measured(runs, given, tracks, air):
+def _measured(runs, given, tracks, drawings, air):
     airs = [run.flights for run in runs]
     slips = np.concatenate([flights.slip for flights in airs])
     reference = given or Drifters.fitting(slips, runs[0].bounds, runs[0].flights.rate)
@@ -153,7 +156,7 @@ def _measured(runs, given, tracks, air):
     style = _Style(airs, others, fewest, plain)
     rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
     rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest)
-    rows += _turning(runs) + _cuts(runs)
+    rows += _turning(runs) + _cuts(runs) + _legible(runs, drawings)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -436,6 +439,26 @@ def _cuts(runs):
     why = f"no {' or '.join(FILES)}"
     return [Row("cuts", "interpenetration: share of body-frames in flight, 2 % of the length", shares[0], (0.0, 0.001), why=why),
             Row("cuts_marks", "interpenetration beside marks nearer than bodies are wide", shares[1], why=why)]
+
+
+def _legible(runs, drawings):
+    """Whether texts and pictures are to be read of the bodies: half way at least from bodies that fly as they do to bodies that all
+    face the reader, where the scene asks them to. Of drawings that ask so, where some do, the others do not count."""
+    rows = [Row("legibility", "legibility: correlation of the silhouette with the drawing"),
+            Row("legibility_facing", "legibility, were all bodies to face the reader")]
+    found = [] if drawings is None else [legibility(run, drawings) for run in runs]
+    known = [one for of_run in found if of_run is not None for one in of_run]
+    why = ("no scene (--scene)" if drawings is None else "the scene draws no text or picture" if not drawings else
+           f"no {' or '.join(READABLE)}" if None in found else "it is seen edge-on")
+    for row in rows:
+        row.why = why
+    asking = [one for one in known if one[0]]
+    if known:
+        rows[0].value, flown, rows[1].value = np.mean([one[1:] for one in asking or known], axis=0).tolist()
+        rows[0].drifters = flown
+        if asking and not math.isnan(flown):
+            rows[0].wanted = (round(0.5 * (flown + rows[1].value), 3), math.inf)
+    return rows
 
 
 def table(measured: Measured) -> List[str]:
