@@ -6,8 +6,9 @@
  * Output port 0, Constraints (vtkPolyData): one vertex a row. Without UseWaypoints it is one row of
  * Kind at Frame: a position, velocity, acceleration or rest of Value, or an orientation. With
  * UseWaypoints it is a position or rest at each of them, at frames evenly spaced from Frame to
- * LastFrame. `Row` is -1: a row's number is its vertex's, also when several of these are appended.
- * The field data `Bounds`, `NumberOfFrames`, `FramesPerSecond` describe the scene.
+ * LastFrame. A position may ask its body to face a direction (Facing). `Row` is -1: a row's number
+ * is its vertex's, also when several of these are appended. The field data `Bounds`,
+ * `NumberOfFrames`, `FramesPerSecond` describe the scene.
  */
 #ifndef vtkConstraintSource_h
 #define vtkConstraintSource_h
@@ -22,6 +23,7 @@
 namespace waft
 {
 struct ConstraintOptions;
+struct FacingOptions;
 struct SceneFrame;
 }
 
@@ -60,6 +62,8 @@ public:
   void GetWaypoint(int index, double point[3]) const;
   ///@}
 
+  WaftVector(double, Facing, 3);
+  WaftProperty(double, FacingTolerance);
   WaftVector(double, Bounds, 6);
   WaftProperty(int, NumberOfFrames);
   WaftOpenProperty(double, FramesPerSecond);
@@ -84,6 +88,7 @@ private:
 
   // Whose fields the properties are.
   friend struct waft::ConstraintOptions;
+  friend struct waft::FacingOptions;
   friend struct waft::SceneFrame;
   std::vector<std::array<double, 3>> Waypoints;
 };

@@ -152,6 +152,7 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
     row.Target = static_cast<int>(k);
     row.Group = options.Group;
     row.ClassId = drawing.Classes[k];
+    options.AskOf(row);
     rows.push_back(row);
   }
   return rows;

@@ -26,6 +26,7 @@
 
 namespace waft
 {
+struct FacingOptions;
 struct KeyframeOptions;
 struct SceneFrame;
 }
@@ -66,6 +67,8 @@ public:
   WaftVector(double, U, 3);
   WaftVector(double, V, 3);
   WaftOpenProperty(double, Width);
+  WaftVector(double, Facing, 3);
+  WaftProperty(double, FacingTolerance);
   WaftProperty(int, Seed);
   WaftVector(double, Bounds, 6);
   WaftProperty(int, NumberOfFrames);
@@ -91,6 +94,7 @@ private:
   static double InRange(const char* property, double value);
 
   // Whose fields the properties are.
+  friend struct waft::FacingOptions;
   friend struct waft::KeyframeOptions;
   friend struct waft::SceneFrame;
   std::vector<std::array<double, 3>> ClassColors;

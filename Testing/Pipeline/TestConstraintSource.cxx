@@ -59,6 +59,25 @@ TEST(ConstraintSource, GivesARowOfEachKind)
   }
 }
 
+TEST(ConstraintSource, AsksWhereAPositionFaces)
+{
+  vtkNew<vtkConstraintSource> source;
+  source->Update();
+  EXPECT_TRUE(Rows(source->GetOutput())[0].Facing.isZero());
+  source->SetFacing(0.0, -2.0, 0.0);
+  source->SetFacingTolerance(0.2);
+  source->UseWaypointsOn();
+  source->Update();
+  for (const waft::Constraint& row : Rows(source->GetOutput()))
+  {
+    EXPECT_EQ(row.Facing, waft::Vec3(0.0, -1.0, 0.0));
+    EXPECT_EQ(row.FacingTolerance, 0.2);
+  }
+  source->SetKind(vtkConstraintSource::REST);
+  source->Update();
+  EXPECT_TRUE(Rows(source->GetOutput())[0].Facing.isZero()) << "a rest lies as it comes down";
+}
+
 TEST(ConstraintSource, SpreadsWaypointsEvenlyInTime)
 {
   vtkNew<vtkConstraintSource> source;

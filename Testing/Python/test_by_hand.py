@@ -31,7 +31,7 @@ class ByHandTest(unittest.TestCase):
         way = simple.ConstraintSource(ObjectId=1, Frame=100, LastFrame=220, UseWaypoints=1,
                                       Waypoints=[0, 0, 2.4, 0.6, 0.4, 2.0])
         speed = simple.ConstraintSource(ObjectId=0, Kind="Velocity", Frame=60, Value=[0.1, 0, -0.1], Radius=0.1)
-        word = simple.ShapeKeyframeSource(Frame=280, NumberOfTargets=3, Width=1.5, Rest=0)
+        word = simple.ShapeKeyframeSource(Frame=280, NumberOfTargets=3, Width=1.5, Rest=0, Facing=[0, -3, 0], FacingTolerance=0.25)
         word.Origin = [0, 0.2, 1.5]
         cls.rows = simple.AppendGeometry(Input=[way, speed, word])
         box = simple.Box(XLength=0.3, YLength=0.3, ZLength=1.2, Center=[-0.4, 0.3, 0.9])
@@ -70,7 +70,10 @@ class ByHandTest(unittest.TestCase):
         writer.FileName = self.file("hand.waft.json")
         UpdatePipeline(proxy=writer)
         with open(self.file("hand.waft.json"), encoding="utf-8") as stream:
-            self.assertEqual(json.load(stream)["title"], "By hand")
+            written = json.load(stream)
+        self.assertEqual(written["title"], "By hand")
+        self.assertEqual([row["facing"] for row in written["constraints"] if "facing" in row],
+                         [{"direction": [0.0, -1.0, 0.0], "tolerance": 0.25}])
         self.check_copy(self.file("hand.waft.json"))
 
     def test_vortices_and_winds_are_written_as_an_artist_would(self):

@@ -59,6 +59,7 @@ Result ConstraintOptions::MakeRows(std::vector<Constraint>& rows) const
   row.Orientation = Quat(q[0], q[1], q[2], q[3]);
   row.Radius = this->Radius;
   row.Row = -1;
+  this->AskOf(row);
   if (IsAttitude(kind.Kind) && !(row.Orientation.norm() > 0.0))
   {
     return Result::Error("Orientation: expected a quaternion that is not zero");

@@ -4,6 +4,7 @@
 
 #include "Base/SceneFrame.h"
 #include "Constraints/Constraint.h"
+#include "Scene/FacingOptions.h"
 
 #include <array>
 #include <vector>
@@ -11,7 +12,9 @@
 namespace waft
 {
 
-struct ConstraintOptions : SceneFrame
+struct ConstraintOptions
+  : SceneFrame
+  , FacingOptions
 {
   int ObjectId = 0;
   ConstraintKind Kind = ConstraintKind::Position;
@@ -73,6 +76,7 @@ struct ConstraintOptions : SceneFrame
     visit(OptionField{ "Waypoints", limits::Coordinate, "m",
                        "Places instead of Value, in the order of time, in metres." },
           of.Waypoints...);
+    FacingOptions::Visit(visit, of...);
     SceneFrame::Visit(visit, of...);
   }
 

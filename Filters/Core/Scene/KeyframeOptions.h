@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/SceneFrame.h"
+#include "Scene/FacingOptions.h"
 
 #include <array>
 #include <cstdint>
@@ -19,7 +20,9 @@ enum class DrawnShape
   Surface
 };
 
-struct KeyframeOptions : SceneFrame
+struct KeyframeOptions
+  : SceneFrame
+  , FacingOptions
 {
   DrawnShape Shape = DrawnShape::Text;
   std::string Text = "WAFT";
@@ -92,6 +95,7 @@ struct KeyframeOptions : SceneFrame
     visit(OptionField{ "V", limits::Direction, "", "Direction of the drawing's height." }, of.V...);
     visit(OptionField{ "Width", limits::Length, "m", "Width of the drawing in metres." },
           of.Width...);
+    FacingOptions::Visit(visit, of...);
     visit(SeedField(), of.Seed...);
     SceneFrame::Visit(visit, of...);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What stands in a scene file. A field that is new begins with its line here; the schema, the page
 // and the Python package have it from here.
+#include "Scene/FacingOptions.h"
 #include "Scene/SceneFields.h"
 
 namespace waft
@@ -17,7 +18,6 @@ constexpr Range Version = { 1, 1 };
 constexpr Range IdOrAny = { -1, Id.High };
 constexpr Range Fraction = UpTo(1);
 constexpr Range Several = { 1, SceneLists::Objects };
-constexpr Range Tolerance = { 0, 3.141592653589793 };
 
 SceneField Kind(const char* kind)
 {
@@ -223,7 +223,7 @@ std::vector<SceneFieldTable> ConstraintTables()
         Fields{ Radius(Distance, "m; 0: exact"), Facing() } },
     { "facing",
       { SceneField("direction", Value::Vector, Direction, "not zero, made unit").Required(),
-        SceneField("tolerance", Value::Number, Tolerance, "rad").Or("0.35") },
+        SceneField("tolerance", Value::Number, FacingTolerances, "rad").Or("0.35") },
       "a cone about a direction that the body's normal (its z axis) is in at the frame" },
     { "restConstraint",
       { Kind("rest"), ObjectOrAny(), FrameOf("frame").Required(),
