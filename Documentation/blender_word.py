@@ -95,6 +95,7 @@ def make_marks():
     text.waft.role = "TARGET"
     text.waft.frame = KEY
     text.waft.radius = 0.02
+    text.waft.is_facing = True
     volume = link("Volume", None, location=(0.0, 0.0, 2.0), scale=(2.0, 2.0, 2.0), empty_display_type="CUBE")
     volume.waft.role = "VOLUME"
 

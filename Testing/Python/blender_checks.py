@@ -170,11 +170,16 @@ class Flown(unittest.TestCase):
         return take, written
 
     def test_leaves_and_marks(self):
-        _, written = self.look(scenes.leaves_and_marks)
+        take, written = self.look(scenes.leaves_and_marks)
         rows = {(row["_object"], row["frame"]): row for row in written["constraints"]}
         self.assertEqual(set(rows), {("Place", 29), ("Hung", 39), ("Keyed", 21), ("Keyed", 43)})
         self.assertAlmostEqual(rows["Keyed", 21]["radius"], 0.1, 6)
         self.assertEqual(rows["Hung", 39]["object"], 1)
+        self.assertEqual([name for name, row in rows.items() if "facing" in row], [("Place", 29)])
+        self.assertLess(np.abs(np.array(rows["Place", 29]["facing"]["direction"]) - (0.0, -1.0, 0.0)).max(), 1e-6)
+        pose = next(row for row in csv_rows(take / "result" / "poses.csv") if (row["object"], row["frame"]) == ("0", "29"))
+        normal = Quaternion([float(pose[key]) for key in ("qw", "qx", "qy", "qz")]).to_matrix().col[2]
+        self.assertLess(math.acos(-normal[1]), 0.2 + 1e-6)
         turn = Quaternion((0.6, 0.0, 0.8, 0.0))
         wanted = np.array((0.4, 0.0, 2.1)) + np.array(turn.to_matrix()) @ (0.1, 0.0, -0.4)
         self.assertLess(np.abs(np.array(rows["Hung", 39]["value"]) - wanted).max(), NEAR)
@@ -759,8 +764,14 @@ class Oddities(unittest.TestCase):
         self.assertEqual("mesh", shape("WIDE", space_character=2.0))
         self.assertEqual("mesh", shape("LEANS", shear=0.3))
         word = bpy.context.scene.objects["Word"]
+        word.waft.is_facing = True
+        word.waft.facing_tolerance = math.pi  # as Blender keeps it, a little more
+        facing = stage.Stage(bpy.context).scene["constraints"][-1]["facing"]
+        self.assertLess(np.abs(np.array(facing["direction"]) - (0.0, -1.0, 0.0)).max(), 1e-6)
+        self.assertLessEqual(facing["tolerance"], math.pi)
         word.waft.kind = "REST"
         self.expect("stands upright and is a rest", "Word")
+        self.assertNotIn("facing", stage.Stage(bpy.context).scene["constraints"][-1], "what rests lies as it comes down")
         word.rotation_euler = (0.0, 0.0, 0.4)
         self.assertEqual([], self.remarks())
 

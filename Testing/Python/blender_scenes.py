@@ -116,7 +116,8 @@ def leaves_and_marks():
     one = flyer("One", leaf_mesh(), location=(-0.4, 0.1, 2.0), rotation_euler=(0.4, -0.3, 2.0))
     other = flyer("Other", one.data, location=(0.4, 0.0, 2.1), rotation_mode="QUATERNION", rotation_quaternion=(0.6, 0.0, 0.8, 0.0))
     flyer("Mirrored", one.data, "FEATHER", location=(0.0, 0.6, 2.0), scale=(-1.3, 0.8, 1.0), rotation_euler=(0.0, 0.0, 0.7))
-    mark("Place", (-0.2, 0.2, 1.6), 30, one, radius=0.02)
+    place = mark("Place", (-0.2, 0.2, 1.6), 30, one, radius=0.02, is_facing=True, facing_tolerance=0.2)
+    place.rotation_euler, place.scale = (math.pi / 2.0, 0.0, 0.0), (2.0, 3.0, 0.5)  # its z axis points along -y
     hung = mark("Hung", (0.1, 0.0, -0.4), 40)
     hung.parent = other
     keyed = mark("Keyed", (0.0, 0.0, 0.0), 1, bpy.data.objects["Mirrored"])

@@ -82,7 +82,8 @@ def _add(stage, mark, bodies, ids):
         stage.add("constraints", mark.thing, kind="rest", object=number, frame=frame, value=place,
                   **({"until": until["until"]} if "until" in until else {}))
     else:
-        stage.add("constraints", mark.thing, kind="position", object=number, frame=frame, value=place, radius=radius)
+        facing = {} if mark.thing.waft.is_turned else stage.facing_of(mark.thing, _matrix(stage, mark.thing, mark.frame))
+        stage.add("constraints", mark.thing, kind="position", object=number, frame=frame, value=place, radius=radius, **facing)
     if mark.thing.waft.is_turned:
         if mark.flyer is None:
             stage.problems.error("turns its flyer, but is a mark of any: name its flyer", mark.thing)

@@ -122,13 +122,20 @@ def _draw_flyer(layout, settings):
 
 
 def _draw_mark(layout, settings):
-    for name in ("flyer", "frame", "radius", "kind", *(("until",) if settings.kind == "REST" else ()), "is_turned"):
+    for name in ("flyer", "frame", "radius", "kind", *_of_kind(settings, settings.is_turned), "is_turned"):
         layout.prop(settings, name)
 
 
 def _draw_target(layout, settings):
-    for name in ("group", "frame", "radius", "kind", *(("until",) if settings.kind == "REST" else ()), "count"):
+    for name in ("group", "frame", "radius", "kind", *_of_kind(settings), "count"):
         layout.prop(settings, name)
+
+
+def _of_kind(settings, is_turned=False):
+    """What a mark or target has beside others by its kind. is_turned: a rotation is asked for, which says all."""
+    if settings.kind == "REST":
+        return ("until",)
+    return () if is_turned else ("is_facing", *(("facing_tolerance",) if settings.is_facing else ()))
 
 
 def _draw_field(layout, field):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A Blender scene as a scene file of Waft (Documentation/SceneFiles.md): everything that takes part, read at one go."""
 import json
+import math
 import os
 
 import bpy
@@ -98,6 +99,13 @@ class Stage:
             return {}
         until = self.own_frame(thing, thing.waft.until) if thing.waft.until else None
         return {"velocity": "rest"} if until is None else {"velocity": "rest", "until": until}
+
+    def facing_of(self, thing, matrix):
+        """The field of a row that asks its flyers to face along the z axis of a matrix; none of one that asks no such thing."""
+        if not thing.waft.is_facing or thing.waft.kind == "REST":
+            return {}
+        along = np.array(matrix, float)[:3, 2]
+        return {"facing": {"direction": (along / np.linalg.norm(along)).tolist(), "tolerance": min(thing.waft.facing_tolerance, math.pi)}}
 
     def add(self, group, thing, **entry):
         """Adds an entry to a list of the scene file."""

@@ -31,7 +31,8 @@ def add_targets(stage, things, ids):
         shape = frame is not None and _shape(stage, thing, count)
         if not shape:
             continue
-        entry = {"kind": "keyframe", "frame": frame, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing)}
+        entry = {"kind": "keyframe", "frame": frame, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing),
+                 **stage.facing_of(thing, stage.matrix(thing, settings.frame))}
         if settings.group is not None:
             entry["objects"] = sorted(group)
         if "velocity" in entry and _is_upright(stage, thing):
