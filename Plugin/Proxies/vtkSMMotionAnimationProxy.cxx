@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMMotionAnimationProxy.h"
 
-#include "Chain/ChainTable.h"
+#include "StageChain.h"
 
 #include <vtkClientServerStream.h>
 #include <vtkObjectFactory.h>
@@ -11,10 +11,8 @@
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSmartPointer.h>
 
-#include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 vtkStandardNewMacro(vtkSMMotionAnimationProxy);
 
@@ -23,13 +21,14 @@ namespace
 
 constexpr const char* Requests[] = { "Unfold", "ShowStages" };
 
-/// The stages that are being made.
-class Unfolding
+/// The stages that a source runs, set as it is.
+class Unfolding : public waft::StageChain
 {
 public:
   explicit Unfolding(vtkSMSourceProxy* source) :
-    Source(source), Manager(source->GetSessionProxyManager()),
-    Detail(static_cast<waft::Quality>(vtkSMPropertyHelper(source, "Quality").GetAsInt())),
+    StageChain(source->GetSessionProxyManager(),
+               static_cast<waft::Quality>(vtkSMPropertyHelper(source, "Quality").GetAsInt())),
+    Source(source),
     Last(static_cast<waft::ChainStage>(vtkSMPropertyHelper(source, "StopAfter").GetAsInt())),
     Seed(vtkSMPropertyHelper(source, "Seed").GetAsInt())
   {
@@ -46,7 +45,11 @@ public:
   {
     for (const waft::ChainStageTraits& stage : waft::ChainStages())
     {
-      if (stage.Stage <= this->Last && waft::RunsAt(stage.Stage, this->Detail))
+      if (stage.Stage == waft::ChainStage::Scene)
+      {
+        this->Read(stage);
+      }
+      else if (stage.Stage <= this->Last && waft::RunsAt(stage.Stage, this->Detail))
       {
         this->Add(stage);
       }
@@ -54,83 +57,43 @@ public:
   }
 
 private:
-  void Add(const waft::ChainStageTraits& stage)
+  void Read(const waft::ChainStageTraits& stage)
   {
-    const bool isFirst = stage.Stage == waft::ChainStage::Scene;
-    vtkSMSourceProxy* proxy = this->Make(isFirst ? "sources" : "filters", stage.Proxy);
-    this->Stages[stage.Stage] = proxy;
-    for (const waft::ChainInput& input : stage.Inputs)
+    vtkSMSourceProxy* reader = this->Make("sources", stage.Proxy);
+    vtkSMPropertyHelper(reader, "FileName")
+      .Set(vtkSMPropertyHelper(this->Source, "FileName").GetAsString());
+    this->Register(reader, this->FreeName(stage.Name));
+    for (const char* output : stage.Outputs)
     {
-      this->Join(proxy, input.Name, waft::GiversOf(input, this->Detail));
+      const int port = waft::PortOf({ stage.Stage, output });
+      this->Scene[output] = { reader, static_cast<unsigned int>(port) };
     }
-    for (const auto& [name, value] : waft::SettingsOf(stage.Stage, this->Detail))
-    {
-      vtkSMPropertyHelper(proxy, name.c_str()).Set(value);
-    }
-    if (isFirst)
-    {
-      vtkSMPropertyHelper(proxy, "FileName")
-        .Set(vtkSMPropertyHelper(this->Source, "FileName").GetAsString());
-    }
+  }
+
+  void Prepare(const waft::ChainStageTraits& stage, vtkSMSourceProxy* proxy) override
+  {
+    this->StageChain::Prepare(stage, proxy);
     vtkSMPropertyHelper(proxy, "Seed", /*quiet=*/true).Set(this->Seed);
     for (const char* name : { "NumberOfTakes", "Take" })
     {
       vtkSMPropertyHelper(proxy, name, /*quiet=*/true)
         .Set(vtkSMPropertyHelper(this->Source, name).GetAsInt());
     }
-    this->Register(proxy, stage.Name);
+  }
+
+  void Register(vtkSMSourceProxy* proxy, const std::string& name) override
+  {
+    this->StageChain::Register(proxy, name);
     if (this->IsSliced && proxy->GetProperty("WorkInSlices") != nullptr)
     {
       proxy->InvokeCommand("WorkInSlices");
     }
   }
 
-  void Join(vtkSMSourceProxy* proxy, const char* input,
-            const std::vector<waft::ChainOutput>& givers)
-  {
-    if (givers.empty())
-    {
-      return;
-    }
-    const auto stageOf = [this](const waft::ChainOutput& giver)
-    { return this->Stages[giver.Stage]; };
-    const auto portOf = [](const waft::ChainOutput& giver)
-    { return static_cast<unsigned int>(waft::PortOf(giver)); };
-    if (givers.size() == 1)
-    {
-      vtkSMPropertyHelper(proxy, input).Set(stageOf(givers[0]), portOf(givers[0]));
-      return;
-    }
-    vtkSMSourceProxy* all = this->Make("filters", "AppendPolyData");
-    for (const waft::ChainOutput& giver : givers)
-    {
-      vtkSMPropertyHelper(all, "Input").Add(stageOf(giver), portOf(giver));
-    }
-    this->Register(all, input);
-    vtkSMPropertyHelper(proxy, input).Set(all, 0);
-  }
-
-  vtkSMSourceProxy* Make(const char* group, const char* name)
-  {
-    this->Held.push_back(vtkSmartPointer<vtkSMProxy>::Take(this->Manager->NewProxy(group, name)));
-    return vtkSMSourceProxy::SafeDownCast(this->Held.back());
-  }
-
-  void Register(vtkSMSourceProxy* proxy, const char* name)
-  {
-    proxy->UpdateVTKObjects();
-    this->Manager->RegisterProxy(
-      "sources", this->Manager->GetUniqueProxyName("sources", name, false).c_str(), proxy);
-  }
-
   vtkSMSourceProxy* Source;
-  vtkSMSessionProxyManager* Manager;
-  waft::Quality Detail;
   waft::ChainStage Last;
   int Seed;
   bool IsSliced = false; // a window's
-  std::map<waft::ChainStage, vtkSMSourceProxy*> Stages;
-  std::vector<vtkSmartPointer<vtkSMProxy>> Held;
 };
 
 } // namespace

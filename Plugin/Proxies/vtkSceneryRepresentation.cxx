@@ -10,18 +10,22 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataConnectivityFilter.h>
 #include <vtkTexture.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 vtkStandardNewMacro(vtkSceneryRepresentation);
 
 namespace
 {
 
+constexpr int MostParts = 64;     // that are drawn by themselves where none has an id
 constexpr int Texels = 128;       // of the floor's alpha, along a side
 constexpr double Strength = 0.6;  // of the floor in its middle
 constexpr double Standing = 0.55; // opacity of obstacles: what flies behind them is seen
@@ -91,6 +95,23 @@ vtkSmartPointer<vtkTexture> MakePool()
   return pool;
 }
 
+/// By their ids; of what has none, each part that hangs together is an obstacle, as stages have it.
+std::map<vtkIdType, vtkSmartPointer<vtkPolyData>> ObstaclesOf(vtkPolyData* surface)
+{
+  if (surface->GetPointData()->HasArray("ObstacleId"))
+  {
+    return waft::PartsBy("ObstacleId", surface);
+  }
+  vtkNew<vtkPolyDataConnectivityFilter> parts;
+  parts->SetInputData(surface);
+  parts->SetExtractionModeToAllRegions();
+  parts->ColorRegionsOn();
+  parts->Update();
+  return parts->GetNumberOfExtractedRegions() > MostParts
+           ? waft::PartsBy("ObstacleId", surface)
+           : waft::PartsBy("RegionId", parts->GetOutput());
+}
+
 } // namespace
 
 vtkSceneryRepresentation::vtkSceneryRepresentation() : Pool(MakePool()) {}
@@ -100,7 +121,7 @@ vtkSceneryRepresentation::~vtkSceneryRepresentation() = default;
 void vtkSceneryRepresentation::AddParts(vtkPolyData* block, double, Parts& parts)
 {
   vtkDataArray* volume = block->GetFieldData()->GetArray("Bounds");
-  for (const auto& [number, surface] : waft::PartsBy("ObstacleId", block))
+  for (const auto& [number, surface] : ObstaclesOf(block))
   {
     const bool isGround = IsGround(surface, volume);
     Part part;

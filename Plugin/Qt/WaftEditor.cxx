@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaftEditor.h"
 
+#include "WaftActive.h"
+
 #include <pqApplicationCore.h>
 #include <pqPipelineSource.h>
 #include <pqRenderView.h>
@@ -19,13 +21,9 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkSMOutputPort.h>
 #include <vtkSMPropertyHelper.h>
-#include <vtkSMProxyManager.h>
 #include <vtkSMProxySelectionModel.h>
 #include <vtkSMRenderViewProxy.h>
-#include <vtkSMSessionProxyManager.h>
-#include <vtkSMSourceProxy.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <QCursor>
@@ -54,28 +52,6 @@ Rgb ColorOf(const QString& kind)
   };
   const auto found = colors.find(kind);
   return found != colors.end() ? found->second : Hot;
-}
-
-/// What a session says is active.
-vtkSMProxySelectionModel* Choice(const char* of)
-{
-  vtkSMSessionProxyManager* session =
-    vtkSMProxyManager::GetProxyManager()->GetActiveSessionProxyManager();
-  return session != nullptr ? session->GetSelectionModel(of) : nullptr;
-}
-
-template <class Item>
-Item ActiveOf(const char* choice)
-{
-  vtkSMProxySelectionModel* model = Choice(choice);
-  vtkSMProxy* proxy = model != nullptr ? model->GetCurrentProxy() : nullptr;
-  if (auto* port = vtkSMOutputPort::SafeDownCast(proxy))
-  {
-    proxy = port->GetSourceProxy();
-  }
-  return proxy != nullptr
-           ? pqApplicationCore::instance()->getServerManagerModel()->findItem<Item>(proxy)
-           : nullptr;
 }
 
 } // namespace
@@ -122,8 +98,8 @@ void WaftEditor::SetOn(bool isOn)
 void WaftEditor::Refresh()
 {
   this->FollowActive();
-  auto* view = qobject_cast<pqRenderView*>(ActiveOf<pqView*>("ActiveView"));
-  auto* source = ActiveOf<pqPipelineSource*>("ActiveSources");
+  auto* view = qobject_cast<pqRenderView*>(waft::ActiveOf<pqView*>("ActiveView"));
+  auto* source = waft::ActiveOf<pqPipelineSource*>("ActiveSources");
   if (source != nullptr && !waft::HasHandles(source->getProxy()))
   {
     source = nullptr;
@@ -175,11 +151,10 @@ void WaftEditor::FollowSteps(pqUndoStack* steps)
   }
 }
 
-// ParaView's own list of what is active needs a header that Debian does not install.
 void WaftEditor::FollowActive()
 {
-  vtkSMProxySelectionModel* sources = Choice("ActiveSources");
-  vtkSMProxySelectionModel* views = Choice("ActiveView");
+  vtkSMProxySelectionModel* sources = waft::ChoiceOf("ActiveSources");
+  vtkSMProxySelectionModel* views = waft::ChoiceOf("ActiveView");
   if (sources != nullptr && views != nullptr && sources != this->Chosen)
   {
     this->Choices->Disconnect();

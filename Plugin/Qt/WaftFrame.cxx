@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace waft
 {
@@ -39,6 +40,12 @@ vtkPVDataInformation* DataOf(pqDataRepresentation* shown)
   return port != nullptr ? port->GetDataInformation() : nullptr;
 }
 
+/// An obstacle made by hand has no id.
+bool IsScenery(pqDataRepresentation* shown)
+{
+  return std::string(shown->getProxy()->GetXMLName()) == "MotionObstaclesRepresentation";
+}
+
 /// Of what flies; without any, of what stands.
 vtkBoundingBox BoxOf(const std::vector<pqDataRepresentation*>& shown)
 {
@@ -50,7 +57,8 @@ vtkBoundingBox BoxOf(const std::vector<pqDataRepresentation*>& shown)
     {
       double bounds[6];
       data->GetBounds(bounds);
-      const bool stands = data->GetArrayInformation("ObstacleId", vtkDataObject::POINT) != nullptr;
+      const bool stands =
+        IsScenery(one) || data->GetArrayInformation("ObstacleId", vtkDataObject::POINT) != nullptr;
       (stands ? standing : flying).AddBounds(bounds);
     }
   }

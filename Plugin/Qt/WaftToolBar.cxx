@@ -3,6 +3,7 @@
 
 #include "WaftCamera.h"
 #include "WaftCheck.h"
+#include "WaftFly.h"
 #include "WaftHold.h"
 #include "WaftMenu.h"
 #include "WaftStages.h"
@@ -12,11 +13,14 @@
 #include <pqPipelineSource.h>
 #include <pqServerManagerModel.h>
 #include <pqTimeKeeper.h>
+#include <pqUndoStack.h>
 #include <pqView.h>
 
 #include <vtkSMProxy.h>
 
 #include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
 #include <QProgressBar>
 #include <QStyle>
 #include <QToolButton>
@@ -56,9 +60,16 @@ double SessionTime()
 
 WaftToolBar::WaftToolBar(QWidget* parent) :
   QToolBar("Waft", parent), Camera(new WaftCamera(this)), Check(new WaftCheck(this)),
-  Hold(new WaftHold(this))
+  Fly(new WaftFly(this)), Hold(new WaftHold(this))
 {
   this->setObjectName("WaftToolBar");
+  auto* fly = this->AddButton("Fly", {}, {});
+  fly->setDefaultAction(this->Fly->Action());
+  fly->setMenu(this->Fly->Menu());
+  fly->setPopupMode(QToolButton::MenuButtonPopup);
+  fly->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  this->connect(this->Fly, &WaftFly::made, this, &WaftToolBar::onSourceMade);
+  this->connect(this->Fly, &WaftFly::refused, this, &WaftToolBar::onRefused);
   this->Stop = this->AddButton("Stop", "Stop", "Hold the work of Waft; the motion so far stays");
   this->Stop->setIcon(this->style()->standardIcon(QStyle::SP_MediaStop));
   this->GoOn = this->AddButton("GoOn", "Go on", "Go on with the work that was stopped");
@@ -94,6 +105,9 @@ void WaftToolBar::MoveDown()
   if (auto* window = qobject_cast<QMainWindow*>(this->window()))
   {
     window->addToolBar(Qt::BottomToolBarArea, this);
+    QAction* help =
+      window->menuBar()->actions().isEmpty() ? nullptr : window->menuBar()->actions().last();
+    window->menuBar()->insertMenu(help, this->Fly->Menu());
   }
 }
 
@@ -123,7 +137,9 @@ void WaftToolBar::onSourceMade(pqPipelineSource* source)
 
 void WaftToolBar::onSourceAdded(pqPipelineSource* source)
 {
-  if (pqApplicationCore::instance()->isLoadingState())
+  pqApplicationCore* core = pqApplicationCore::instance();
+  const pqUndoStack* steps = core->getUndoStack();
+  if (core->isLoadingState() || (steps != nullptr && (steps->getInUndo() || steps->getInRedo())))
   {
     waft::WorkInSlices(source->getProxy());
   }
@@ -234,6 +250,12 @@ void WaftToolBar::onGoOn()
   }
   this->TakePicture();
   this->Timer.start();
+}
+
+void WaftToolBar::onRefused(const QString& why)
+{
+  this->Bar->setFormat("nothing flies: " + why);
+  this->Bar->setToolTip(this->Bar->format());
 }
 
 void WaftToolBar::Show(State state, const waft::WorkOfStages& work)

@@ -11,6 +11,7 @@ class QProgressBar;
 class QToolButton;
 class WaftCamera;
 class WaftCheck;
+class WaftFly;
 class WaftHold;
 class pqPipelineSource;
 
@@ -36,6 +37,7 @@ private Q_SLOTS:
   void onTimer();
   void onStop();
   void onGoOn();
+  void onRefused(const QString& why);
 
 private:
   enum class State
@@ -64,6 +66,7 @@ private:
 
   WaftCamera* Camera;
   WaftCheck* Check;
+  WaftFly* Fly;
   QTimer Timer;
   WaftHold* Hold;
   QElapsedTimer SincePicture;
