@@ -70,8 +70,9 @@ class ObjectSettings(bpy.types.PropertyGroup):
     flyer: PointerProperty(override=_OWN, name="Flyer", type=bpy.types.Object, poll=lambda _, thing: thing.waft.role == "FLYER",
                            description="Whose mark it is; none: the flyer that it hangs on, else any")
     is_turned: BoolProperty(override=_OWN, name="Turned Alike", description="The flyer's rotation there is that of the mark")
-    is_facing: BoolProperty(override=_OWN, name="Facing", description="The flyers' upper side faces there the way that the z axis of the "
-                                                                       "mark or target points: those of a text its reader")
+    is_facing: BoolProperty(override=_OWN, name="Facing",
+                            description="The flyers' upper side faces there the way that the z axis of the mark or target points: those "
+                                        "of a text its reader")
     facing_tolerance: FloatProperty(override=_OWN, name="Tolerance", default=0.35, min=0.0, max=math.pi, subtype="ANGLE", unit="ROTATION",
                                     description="How far from there is near enough")
     group: PointerProperty(override=_OWN, name="Flyers", type=bpy.types.Collection,
