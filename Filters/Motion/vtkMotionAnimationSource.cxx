@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionAnimationSource.h"
 
-#include "Base/AtomicFile.h"
 #include "Base/SliceOptions.h"
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/ArrayNames.h"
@@ -20,10 +19,9 @@
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
-#include "Chain/ChainScene.h"
+#include "Chain/EditedScene.h"
 #include "Chain/RunChain.h"
 #include "Planning/PlanReport.h"
-#include "Scene/SceneEdits.h"
 #include "Spacetime/Run/Spacetime.h"
 
 #include <vtkCellData.h>
@@ -83,10 +81,7 @@ struct vtkMotionAnimationSource::Internals : waft::KeptStage
 {
   vtkMotionAnimationSource* Self;
   vtkTimeStamp Named, ReadTime; // when the file was named, or to be read anew; and read
-  waft::Scene Read;
-  waft::SceneWind Wind;
-  std::string ReadError;
-  std::string Text, Edited;      // of the file, and with the edits
+  waft::EditedScene File;
   waft::MotionDatabase Database; // stays in its place, where the memory's tools look for it
   bool HasDatabase = false;
   waft::Motion Made;
@@ -101,9 +96,9 @@ struct vtkMotionAnimationSource::Internals : waft::KeptStage
   }
   ~Internals() override { this->Discard(); }
 
+  bool IsRead() const { return this->ReadTime > this->Named; }
   bool Load();
-  /// Of the scene with the edits.
-  waft::Result Save();
+  const waft::Scene& Read() const { return this->File.Parts(); }
   waft::ChainOptions Options() const;
   bool Wants(waft::ChainStage stage) const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
@@ -114,7 +109,6 @@ struct vtkMotionAnimationSource::Internals : waft::KeptStage
   void FillPublished(double time, vtkInformationVector* outputs) const override;
 
 private:
-  waft::Result ReadEdited();
   void KeepScene();
   void KeepPlan();
   void KeepAir();
@@ -130,48 +124,15 @@ private:
 /// True where the file was read now.
 bool vtkMotionAnimationSource::Internals::Load()
 {
-  if (this->ReadTime > this->Named)
+  if (this->IsRead())
   {
     return false;
   }
   this->Discard(); // it works on the scene that there was
-  const waft::Result result = this->ReadEdited();
-  this->ReadError = result.Message();
-  this->Scene = this->Read.Info;
+  this->File.Read(this->Self->FileName, this->Self->Edits, waft::VtkSceneAssets());
+  this->Scene = this->Read().Info;
   this->ReadTime.Modified();
   return true;
-}
-
-waft::Result vtkMotionAnimationSource::Internals::ReadEdited()
-{
-  const std::string& file = this->Self->FileName;
-  this->Edited.clear();
-  WAFT_RETURN_IF_FAILED(waft::ReadSceneText(file, this->Text));
-  this->Edited = this->Text;
-  WAFT_RETURN_IF_FAILED(waft::EditSceneText(this->Self->Edits, file, this->Edited));
-  return waft::ParseSceneAndWind(this->Edited, file, waft::VtkSceneAssets(), this->Read,
-                                 this->Wind);
-}
-
-waft::Result vtkMotionAnimationSource::Internals::Save()
-{
-  const std::string& file = this->Self->FileName;
-  if (this->Edited.empty() || !this->ReadError.empty() || this->ReadTime < this->Named)
-  {
-    return waft::Result::Error(file + ": expected a scene that could be read, found none: not "
-                                      "saved");
-  }
-  std::string now;
-  WAFT_RETURN_IF_FAILED(waft::ReadSceneText(file, now));
-  if (now != this->Text)
-  {
-    return waft::Result::Error(file + ": expected the file as it was read, found another one: it "
-                                      "was changed since, and is not written over. Reload it "
-                                      "first; the edits are kept");
-  }
-  WAFT_RETURN_IF_FAILED(waft::WriteWholeFile(file, this->Edited));
-  this->Text = this->Edited;
-  return waft::Result::Ok();
 }
 
 waft::ChainOptions vtkMotionAnimationSource::Internals::Options() const
@@ -193,7 +154,7 @@ bool vtkMotionAnimationSource::Internals::Wants(waft::ChainStage stage) const
 waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
                                                       waft::Monitor& monitor)
 {
-  if (this->Read.Objects.empty())
+  if (this->Read().Objects.empty())
   {
     return waft::Result::Error(this->Self->FileName +
                                ": /objects: expected at least one object, found none");
@@ -204,8 +165,8 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
     this->HasDatabase = true;
   }
   const waft::Result result =
-    waft::RunChain({ this->Read, this->Wind, this->Database }, this->Options(), waft::SmpFor(),
-                   monitor, this->Made, &this->Memory);
+    waft::RunChain({ this->Read(), this->File.Wind(), this->Database }, this->Options(),
+                   waft::SmpFor(), monitor, this->Made, &this->Memory);
   this->Rejoin();
   WAFT_RETURN_IF_FAILED(result);
   for (const auto& [stage, seconds] : this->Made.Seconds) // what was kept has warned already
@@ -229,11 +190,11 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
 void vtkMotionAnimationSource::Internals::KeepScene()
 {
   auto* objects = this->Kept<vtkPolyData>(ObjectsPort);
-  waft::ObjectsToPolyData(this->Read.Objects, this->Scene, objects);
-  waft::AuthoredToFieldData(this->Read.Authored.Objects, objects);
+  waft::ObjectsToPolyData(this->Read().Objects, this->Scene, objects);
+  waft::AuthoredToFieldData(this->Read().Authored.Objects, objects);
   auto* obstacles = this->Kept<vtkPolyData>(ObstaclesPort);
-  waft::ObstaclesToPolyData(this->Read.Obstacles, 0.0, this->Scene, obstacles);
-  waft::AuthoredToFieldData(this->Read.Authored.Obstacles, obstacles);
+  waft::ObstaclesToPolyData(this->Read().Obstacles, 0.0, this->Scene, obstacles);
+  waft::AuthoredToFieldData(this->Read().Authored.Obstacles, obstacles);
 }
 
 void vtkMotionAnimationSource::Internals::KeepPlan()
@@ -318,18 +279,18 @@ void vtkMotionAnimationSource::Internals::KeepTurned()
 waft::Result vtkMotionAnimationSource::Internals::BuildMeshes()
 {
   std::vector<std::vector<std::array<double, 3>>> colors;
-  for (const waft::Shape& shape : this->Read.Shapes)
+  for (const waft::Shape& shape : this->Read().Shapes)
   {
     colors.push_back(waft::ColorsOfPoints(shape));
   }
-  return this->Meshes.Build(this->Read.Shapes, colors, this->Read.Objects, this->ShownTracks,
+  return this->Meshes.Build(this->Read().Shapes, colors, this->Read().Objects, this->ShownTracks,
                             this->Scene);
 }
 
 void vtkMotionAnimationSource::Internals::StandAsBegun(std::vector<waft::Track> tracks)
 {
   std::map<int, const waft::MotionObject*> objects;
-  for (const waft::MotionObject& object : this->Read.Objects)
+  for (const waft::MotionObject& object : this->Read().Objects)
   {
     objects[object.ObjectId] = &object;
   }
@@ -355,9 +316,9 @@ void vtkMotionAnimationSource::Internals::Publish()
     return;
   }
   std::vector<waft::Track> tracks = this->Made.Paths();
-  if (this->Made.Plan.Tracks.size() < this->Read.Objects.size()) // they are being planned
+  if (this->Made.Plan.Tracks.size() < this->Read().Objects.size()) // they are being planned
   {
-    tracks = waft::TracksSoFar(tracks, this->Read.Objects, this->Scene.Time);
+    tracks = waft::TracksSoFar(tracks, this->Read().Objects, this->Scene.Time);
     waft::TracksToPolyData(tracks, this->Scene, this->Kept<vtkPolyData>(PlannedTracksPort));
     waft::ConstraintsToPolyData(this->Made.Plan.Constraints, this->Scene,
                                 this->Kept<vtkPolyData>(MarksPort));
@@ -396,10 +357,10 @@ void vtkMotionAnimationSource::Internals::FillMeshes(double time,
     this->Meshes.Fill(this->ShownTracks, this->ShownPoses, this->FrameAt(time),
                       vtkPolyData::GetData(outputs, MeshesPort));
   }
-  if (std::any_of(this->Read.Obstacles.begin(), this->Read.Obstacles.end(),
+  if (std::any_of(this->Read().Obstacles.begin(), this->Read().Obstacles.end(),
                   [](const waft::ObstacleMesh& obstacle) { return obstacle.IsMoving(); }))
   {
-    waft::MoveObstacles(this->Read.Obstacles, time * this->Scene.Time.FramesPerSecond,
+    waft::MoveObstacles(this->Read().Obstacles, time * this->Scene.Time.FramesPerSecond,
                         vtkPolyData::GetData(outputs, ObstaclesPort));
   }
 }
@@ -473,15 +434,15 @@ void vtkMotionAnimationSource::SetEdits(const std::string& edits)
 
 std::string vtkMotionAnimationSource::GetHandles() const
 {
-  std::string handles;
-  const std::string& text = this->Impl->Edited;
-  return !text.empty() && waft::DescribeHandles(text, this->FileName, handles) ? handles
-                                                                               : std::string();
+  return this->Impl->File.Handles();
 }
 
 void vtkMotionAnimationSource::SaveScene()
 {
-  const waft::Result result = this->Impl->Save();
+  const waft::Result result =
+    this->Impl->IsRead() ? this->Impl->File.Save()
+                         : waft::Result::Error(this->FileName + ": expected a scene that was read, "
+                                                                "found none: not saved");
   if (!result)
   {
     vtkErrorMacro(<< result.Message());
@@ -492,7 +453,7 @@ void vtkMotionAnimationSource::SaveScene()
 
 int vtkMotionAnimationSource::GetSceneSeed() const
 {
-  return static_cast<int>(this->Impl->Read.Info.Seed);
+  return static_cast<int>(this->Impl->Read().Info.Seed);
 }
 
 std::string vtkMotionAnimationSource::GetStages()
@@ -546,16 +507,16 @@ int vtkMotionAnimationSource::RequestInformation(vtkInformation*, vtkInformation
   }
   if (this->Impl->Load())
   {
-    for (const std::string& warning : this->Impl->Read.Warnings)
+    for (const std::string& warning : this->Impl->Read().Warnings)
     {
       vtkWarningMacro(<< warning);
     }
   }
-  if (!this->Impl->ReadError.empty())
+  if (!this->Impl->File.Error().empty())
   {
     return waft::FailInformation(outputs);
   }
-  const waft::SceneInfo& info = this->Impl->Read.Info;
+  const waft::SceneInfo& info = this->Impl->Read().Info;
   waft::SetTimeSteps(info.Time, outputs);
   const auto setExtent = [&](int port, bool isMade, const std::array<int, 3>& points)
   {
@@ -584,9 +545,9 @@ int vtkMotionAnimationSource::RequestData(vtkInformation* request, vtkInformatio
   {
     return waft::Fail(this, outputs, "FileName: expected a scene file, found no name");
   }
-  if (!this->Impl->ReadError.empty())
+  if (!this->Impl->File.Error().empty())
   {
-    return waft::Fail(this, outputs, this->Impl->ReadError);
+    return waft::Fail(this, outputs, this->Impl->File.Error());
   }
   if (const std::string error = this->RangeError(); !error.empty())
   {
