@@ -88,7 +88,7 @@ class FinishedRun(Run):
     def __init__(self, folder: Path, motion: Any, told: _Told) -> None:
         super().__init__(told, folder)
         self._motion = motion
-        self._sources: List[Any] = []
+        self._reader: Any = None
 
     @property
     def seed(self) -> int:
@@ -124,8 +124,18 @@ class FinishedRun(Run):
     def delete(self) -> None:
         from paraview import simple
 
-        while self._sources:
-            simple.Delete(self._sources.pop())
+        if self._reader is not None:
+            simple.Delete(self._reader)
+            self._reader = None
+
+    def _stage(self) -> Any:
+        """The source of ParaView that reads the folder, made at the first call."""
+        from paraview import simple
+
+        if self._reader is None:
+            self._reader = simple.MotionResultsReader(registrationName=os.path.basename(self._below().path),
+                                                      FileName=str(self._below().path / SEAL))
+        return self._reader
 
     def _below(self) -> Folder:
         if not os.path.isdir(str(self._folder)):

@@ -9,7 +9,6 @@ from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from waft.failures import BadInput
-from waft.run._sources import look, sources_of
 from waft.run.updating import update
 
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
@@ -41,7 +40,7 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     if not any(_is_seen(one) for one in view.Representations):
         _set_backdrop(view)
     for output in in_space:
-        look(output, simple.Show(output, view))
+        simple.Show(output, view)
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.NumberOfFrames = max(scene.NumberOfFrames, len(simple.GetTimeKeeper().TimestepValues or []))
@@ -65,8 +64,8 @@ def _ports_of(shown, port):
     if hasattr(shown, "rotation") and hasattr(shown, "reader"):  # a Result
         marks = simple.OutputPort(shown.planner, 3) if shown.planner is not None else simple.OutputPort(shown.reader, 1)
         return [*_ports_of(shown.rotation, None), (simple.OutputPort(shown.reader, 2), ""), (marks, "")]
-    if hasattr(shown, "_sources"):  # a FinishedRun
-        return [(simple.OutputPort(source, 0), "") for source in sources_of(shown)]
+    if hasattr(shown, "_stage"):  # a FinishedRun
+        shown = shown._stage()
     if not isinstance(shown, servermanager.SourceProxy):
         raise BadInput(f"show: expected a stage, a Run or a list of stages, found {shown!r}")
     update(shown)
