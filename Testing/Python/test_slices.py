@@ -3,11 +3,8 @@
 goes on beside.
 
     pvpython test_slices.py PVSERVER"""
-import contextlib
 import os
 import pathlib
-import socket
-import subprocess
 import sys
 import tempfile
 import time
@@ -17,6 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import waft
+from serving import server
 
 PVSERVER = sys.argv.pop(1)
 SLICE = 0.1   # s
@@ -41,23 +39,6 @@ def poses(animation):
 
 def is_flagged(animation, port="Poses"):
     return animation[port].FieldData.GetArray("Complete") is not None
-
-
-@contextlib.contextmanager
-def server():
-    """A pvserver that serves one client; its port."""
-    with socket.socket() as free:
-        free.bind(("localhost", 0))
-        port = free.getsockname()[1]
-    with subprocess.Popen([PVSERVER, f"--server-port={port}"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
-        try:
-            for line in process.stdout:
-                if "Accepting connection" in line:
-                    break
-            yield port
-        finally:
-            process.terminate()
-            process.communicate()
 
 
 class SliceTest(unittest.TestCase):
@@ -131,7 +112,7 @@ class SliceTest(unittest.TestCase):
         self.check_deleted()
 
     def test_on_a_server(self):
-        with server() as port:
+        with server(PVSERVER) as port:
             simple.Connect("localhost", port)
             waft.load_plugin()
             try:
