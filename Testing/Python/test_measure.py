@@ -393,6 +393,50 @@ class DefinitionTest(unittest.TestCase):
         self.assertGreater(sum(lying), 0.0, "one flies through one that lies")
         self.assertEqual(sum(shares()), 0.0, "both lie")
 
+    def test_bodies_that_glide_down_their_slope(self):
+        positions = waves(COUNT, 0.5, frames=FRAMES)
+        folder = write_folder(os.path.join(WORK, "gliding"), positions)
+        random = np.random.RandomState(8)
+        tilt = random.uniform(0.05, 3.09, (COUNT, FRAMES))  # past a right angle it is upside down
+        way = random.uniform(0.0, 6.28, (COUNT, FRAMES))
+        turned = np.stack([np.cos(tilt / 2), np.sin(tilt / 2) * np.cos(way), np.sin(tilt / 2) * np.sin(way), 0.0 * tilt], axis=2)
+        rise = np.stack([-np.sin(way), np.cos(way)], axis=2) * np.tan(tilt)[..., None]  # of the plane, by metre along x and y
+        steep = np.linalg.norm(rise, axis=2)
+        along = -rise / steep[..., None]
+        tracks = read_surface(os.path.join(folder, "optimized.vtp"))
+
+        def figure(downhill):
+            slip = np.zeros((COUNT, FRAMES, 3))
+            aside = random.normal(size=(COUNT, FRAMES, 1)) * along[..., ::-1] * [1.0, -1.0]
+            slip[..., :2] = downhill[..., None] * along + aside
+            slip[..., 2] = -random.uniform(size=(COUNT, FRAMES))
+            sample_folder.add(tracks.GetPointData(), "Slip", slip.reshape(-1, 3))
+            write_xml(tracks, os.path.join(folder, "optimized.vtp"))
+            return measure(folder)[0]["glide"].value
+
+        self.assertIn("no body glides", measure(folder)[0]["glide"].why)
+        poses = write_poses(folder, turned, 0.2, 0.1)
+        self.assertAlmostEqual(figure(0.3 * np.sin(2.0 * np.arctan(steep)) + 0.1), 1.0)
+        self.assertAlmostEqual(figure(-0.3 * np.sin(2.0 * np.arctan(steep))), -1.0)
+        self.assertLess(abs(figure(random.normal(size=tilt.shape))), 0.1)
+        self.assertIn("does not say", measure(folder)[0]["agreement"].why)
+        sample_folder.add(poses.GetFieldData(), "Agreement", [12.0, 50.0])
+        write_xml(poses, os.path.join(folder, "poses.vtp"))
+        measured = measure(folder)[0]
+        figures = [(measured[key].value, measured[key].met) for key in ("agreement", "agreement_90")]
+        self.assertEqual(figures, [(12.0, True), (50.0, False)])
+
+    def test_centres_nearer_than_bodies_are_wide(self):
+        positions = np.zeros((3, FRAMES, 3))
+        positions[..., 2] = 1.0
+        positions[1, :, 0] = 0.05 * np.arange(FRAMES)  # it leaves the first, and never comes to the third
+        positions[2, :, 1] = 1.0
+        folder = write_folder(os.path.join(WORK, "near"), positions)
+        self.assertIn("ClearanceRadius", measure(folder)[0]["pairs"].why)
+        write_poses(folder, np.tile([1.0, 0.0, 0.0, 0.0], (3, FRAMES, 1)), 0.2, 0.1)
+        near = 4  # frames with less than 0.19 m between them
+        self.assertAlmostEqual(measure(folder)[0]["pairs"].value, 2 * near / (3 * FRAMES))
+
     def test_a_drawing_is_read_of_the_silhouette_of_its_bodies(self):
         """A sheet that is as large as what is drawn, and flies level until it stands upright at its mark."""
         positions = np.repeat(places(2)[:, None], FRAMES, axis=1)

@@ -11,7 +11,7 @@ from waft.measuring._drifters import END, START
 from waft.measuring._flights import Flights
 from waft.measuring._meshcuts import mesh_cuts
 from waft.reading import dynamics
-from waft.results._arrays import array_of, bounds_of, object_ids, points_of, polylines, rate_of, texts_of
+from waft.results._arrays import array_of, bounds_of, field_of, object_ids, points_of, polylines, rate_of, texts_of
 from waft.results._folder import read_surface
 from waft.results._records import REPORT, record_of
 from waft.results.writing import settled
@@ -25,8 +25,9 @@ NEAR_ROW = 8  # frames about a position row that are no free flight
 @dataclass
 class Run:
     """A folder's motion: its flights, the arrays of its tracks {name: [object, frame, ...]}, the columns of its rows {name: [row]},
-    the touch-downs [(object, frame)], whether a row of position holds an object at a frame [object, frame], how far each
-    turns from a frame to the next [object, step] in degrees (NaN without poses), and what the optimiser says of its own motion
+    the touch-downs [(object, frame)], whether a row of position holds an object at a frame [object, frame], orientations (w, x, y,
+    z) [object, frame, 4] (NaN without poses), how far poses are from what turns bodies, median and 90th percentile in degrees (NaN
+    where they do not say), clearance radii [object] (NaN where they are not given), and what the optimiser says of its own motion
     {name: number}."""
 
     folder: str
@@ -37,13 +38,21 @@ class Run:
     ids: np.ndarray
     touches: list
     placed: np.ndarray
-    turns: np.ndarray
+    orientations: np.ndarray
+    agreement: np.ndarray
+    radii: np.ndarray
     inertia: bool
     figures: dict
 
     @property
     def width(self):
         return max(self.bounds[1] - self.bounds[0], self.bounds[3] - self.bounds[2])
+
+    @property
+    def turns(self):
+        """How far each turns from a frame to the next [object, step] in degrees; NaN without poses."""
+        cosines = np.abs(np.sum(self.orientations[:, 1:] * self.orientations[:, :-1], axis=2))
+        return np.degrees(2.0 * np.arccos(np.minimum(cosines, 1.0)))
 
     @functools.cached_property
     def cuts(self):
@@ -58,13 +67,14 @@ def read_run(folder, tracks="optimized"):
     data = read_surface(below, f"{tracks}.vtp")
     ids, positions, arrays = _tracks(path, data)
     bounds, rate = bounds_of(data, path), rate_of(data, path, *MEASURED_RATES)
-    slip = _slips(below, ids)
+    slip, radii = _bodies(below, ids)
+    orientations, agreement = _poses(below, ids, positions.shape[1])
     rows = _rows(below)
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
     report = record_of(below, "report.json", REPORT) or {}
     inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip, arrays.get("Slip")), bounds, arrays, rows, ids, touches,
-               held(rows, ids, positions.shape[1]), _turns(below, ids, positions.shape[1]), inertia, dynamics(data))
+               held(rows, ids, positions.shape[1]), orientations, agreement, radii, inertia, dynamics(data))
 
 
 def _tracks(path, data):
@@ -76,19 +86,23 @@ def _tracks(path, data):
     return ids, points_of(data, path)[order], arrays
 
 
-def _slips(folder, ids):
+def _bodies(folder, ids):
+    """Settling speeds and clearance radii of objects."""
     path = folder.path / "objects.vtp"
     columns = read_surface(folder, "objects.vtp").GetPointData()
-    of = dict(zip(object_ids(columns, path).tolist(), array_of(columns, "SettlingSpeed", path, low=0.0).tolist()))
-    lost = [number for number in ids.tolist() if number not in of]
+    place = {number: index for index, number in enumerate(object_ids(columns, path).tolist())}
+    lost = [number for number in ids.tolist() if number not in place]
     if lost:
         raise BadInput(f"{path}: object {lost[0]} of the tracks is missing")
-    return np.array([of[number] for number in ids.tolist()])
+    own = [place[number] for number in ids.tolist()]
+    has_radii = columns.HasArray("ClearanceRadius")
+    radii = array_of(columns, "ClearanceRadius", path, low=0.0)[own] if has_radii else np.full(len(own), np.nan)
+    return array_of(columns, "SettlingSpeed", path, low=0.0)[own], radii
 
 
-def _turns(folder, ids, frames):
-    """Of poses.vtp, where it is there and has these objects and frames."""
-    unknown = np.full((len(ids), frames - 1), np.nan)
+def _poses(folder, ids, frames):
+    """Orientations and agreement of poses.vtp, where it is there and has these objects and frames."""
+    unknown = np.full((len(ids), frames, 4), np.nan), np.full(2, np.nan)
     path = folder.path / "poses.vtp"
     if folder.found("poses.vtp") is None:
         return unknown
@@ -96,9 +110,10 @@ def _turns(folder, ids, frames):
     own, order = polylines(data, path, LEAST_FRAMES)
     if order.shape[1] != frames or not np.isin(ids, own).all():
         return unknown
-    poses = array_of(data.GetPointData(), "Orientation", path, 4)[order[[own.tolist().index(number) for number in ids.tolist()]]]
-    cosines = np.abs(np.sum(poses[:, 1:] * poses[:, :-1], axis=2))
-    return np.degrees(2.0 * np.arccos(np.minimum(cosines, 1.0)))
+    place = {number: index for index, number in enumerate(own.tolist())}
+    turns = array_of(data.GetPointData(), "Orientation", path, 4)[order[[place[number] for number in ids.tolist()]]]
+    told = data.GetFieldData().HasArray("Agreement")
+    return turns, field_of(data, "Agreement", path, 2, low=0.0, high=180.0) if told else unknown[1]
 
 
 def _rows(folder):

@@ -15,6 +15,7 @@ from waft.measuring._airfield import read_air
 from waft.measuring._approach import FIRST, LAST, LEAST_BODIES, approach
 from waft.measuring._drifters import Drifters, gliding, make_drifters
 from waft.measuring._flights import rms
+from waft.measuring._gliding import APART, glides, near_pairs
 from waft.measuring._legibility import FILES as READABLE, legibility, read_drawings
 from waft.measuring._meshcuts import FILES
 from waft.measuring._runs import TRACKS, largest_residual, read_run
@@ -156,7 +157,7 @@ def _measured(runs, given, tracks, drawings, air):
     style = _Style(airs, others, fewest, plain)
     rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
     rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest)
-    rows += _turning(runs) + _cuts(runs) + _legible(runs, drawings)
+    rows += _gliding(runs) + _turning(runs) + _contacts(runs) + _cuts(runs) + _legible(runs, drawings)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -414,12 +415,32 @@ def _landing(runs, fewest):
                 why="nothing lands" if fewest >= MANY else f"fewer than {MANY} objects")]
 
 
+def _gliding(runs):
+    """Whether paths know of poses: bodies glide to where they lean, and turn as the air along their paths turns them."""
+    tilts, speeds = (np.concatenate(values) for values in zip(*map(glides, runs)))
+    known = len(tilts) > 1 and tilts.std() > 0.0 and speeds.std() > 0.0
+    agreement = np.max([run.agreement for run in runs], axis=0).tolist()
+    why = "poses.vtp does not say"
+    return [Row("glide", "glide: correlation of the horizontal Slip downhill with sin(2 tilt)",
+                float(np.corrcoef(tilts, speeds)[0, 1]) if known else UNKNOWN, why="no body glides in free flight"),
+            Row("agreement", "agreement: poses off what the air turns in half a second, median [deg]", agreement[0], (0.0, 15.0), why=why),
+            Row("agreement_90", "agreement: 90th percentile [deg]", agreement[1], (0.0, 45.0), why=why)]
+
+
+def _contacts(runs):
+    """How often the centres of flying bodies are nearer than balls that hold them would be."""
+    flown = sum(int(run.flights.flying.sum()) for run in runs)
+    known = flown > 0 and all(np.isfinite(run.radii).all() for run in runs)
+    return [Row("pairs", f"contact: share of body-frames with a centre within {APART:g} of the two radii",
+                sum(map(near_pairs, runs)) / flown if known else UNKNOWN, why="objects.vtp has no ClearanceRadius")]
+
+
 def _turning(runs):
     """Whether an eye can follow how bodies turn: how many steps are too fast, and how many lie at a limit."""
     turned, peaks = [np.zeros(0)], [np.zeros(0, bool)]
     for run in runs:
-        flown = run.flights.flying[:, 1:] & run.flights.flying[:, :-1] & np.isfinite(run.turns)
-        turns = run.turns[flown] * run.flights.rate / 30.0
+        turns = run.turns
+        turns = turns[run.flights.flying[:, 1:] & run.flights.flying[:, :-1] & np.isfinite(turns)] * run.flights.rate / 30.0
         turned.append(turns)
         peaks.append(turns > turns.max(initial=0.0) - AT_LIMIT)
     turns, peak = np.concatenate(turned), np.concatenate(peaks)
