@@ -34,8 +34,9 @@ COLUMNS = (
 )
 HEAD = """# How bodies move
 
-Written by [make_body_table.py](../scripts/make_body_table.py), which flies scenes at their full size and measures what comes. What is in
-**bold** misses what is wanted, "-" is not measured: a body alone has no neighbours, a scene without texts or pictures nothing to be read.
+Written by [make_body_table.py](../scripts/make_body_table.py), which flies scenes at their full size and measures what
+comes. What is in **bold** misses what is wanted, "-" is not measured: a body alone has no neighbours, a scene without
+texts or pictures nothing to be read.
 
 | column | is | wanted |
 |---|---|---|
@@ -133,6 +134,10 @@ def page(kept):
     return text
 
 
+def read_kept():
+    return json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.exists() else {}
+
+
 def main():
     parser = argparse.ArgumentParser(description="flies scenes and writes how their bodies move")
     parser.add_argument("runs", type=pathlib.Path)
@@ -143,14 +148,15 @@ def main():
     options = parser.parse_args()
     data = ROOT / "Data" / "Scenes"
     scenes = options.scenes or sorted([*data.glob("*.waft.json"), *data.glob("examples/*.waft.json")], key=size_of)
-    kept = json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.exists() else {}
     for scene in scenes if options.runs.is_dir() or options.scenes else ():
         name = scene.name[:-len(".waft.json")]
         folder = options.runs / options.quality / name
         if fly(options.waft, scene, folder, options.quality):
-            kept.setdefault(options.quality, {})[name] = measured(options.waft, scene, folder, options.date)
-            KEPT.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")  # of each, as flights take minutes
-    (GALLERY / "Bodies.md").write_text(page(kept), encoding="utf-8")
+            entry = measured(options.waft, scene, folder, options.date)
+            kept = read_kept()  # after each flight, as it takes minutes, and others may fly at the same time
+            kept.setdefault(options.quality, {})[name] = entry
+            KEPT.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    (GALLERY / "Bodies.md").write_text(page(read_kept()), encoding="utf-8")
 
 
 if __name__ == "__main__":
