@@ -28,7 +28,7 @@ SWITCHES = {  # what is set of which stage
     "windows": {"Spacetime": {"WindowLength": 75}},
     "open box": {"Smoke": {}},
     "closed box": {"Smoke": {axis: "Closed" for axis in AXES}},
-    "ridge / 10": {"Spacetime": {"FieldRidge": 0.005}},
+    "ridge x 0.1": {"Spacetime": {"FieldRidge": 0.005}},
     "lattice x 2": {"Spacetime": {"WindCells": 10}},
 }
 ROWS = ("hidden_hand", "hidden_hand_gas", "replay", "life_velocity", "life_acceleration", "exact")
