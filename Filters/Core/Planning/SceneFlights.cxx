@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All objects of a run that are to fly, planned by threads and other ranks while the caller's
 // thread ticks the monitor.
+#include "Base/SharedLoop.h"
 #include "Planning/FreeSpaceGrids.h"
 #include "Planning/Itinerary.h"
 #include "Planning/PlannerNumbers.h"
 #include "Planning/ScenePlans.h"
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <shared_mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
 namespace waft
@@ -29,39 +27,6 @@ struct FlightWatch
   std::atomic<bool> Stop{ false };
   std::shared_mutex Holding; // locked during a tick, which may last
 };
-
-/// Runs the work in a thread of its own while the caller's ticks the monitor; before each tick
-/// `between` is called, which tells whether something is done elsewhere still.
-void RunWhileTicking(const std::function<void()>& work, std::size_t count,
-                     const std::function<bool()>& between, std::chrono::milliseconds period,
-                     Monitor& monitor, FlightWatch& watch)
-{
-  std::mutex mutex;
-  std::condition_variable ended;
-  bool hasEnded = false;
-  std::thread worker(
-    [&]()
-    {
-      work();
-      const std::lock_guard<std::mutex> lock(mutex);
-      hasEnded = true;
-      ended.notify_one();
-    });
-  std::unique_lock<std::mutex> lock(mutex);
-  bool isElsewhere = false;
-  while (!ended.wait_for(lock, period, [&]() { return hasEnded && !isElsewhere; }))
-  {
-    isElsewhere = between() && !watch.Stop;
-    const std::size_t planned = watch.Done;
-    const std::unique_lock<std::shared_mutex> hold(watch.Holding);
-    const bool goesOn = monitor.Tick(
-      0.05 + 0.9 * static_cast<double>(planned) / static_cast<double>(count),
-      "Planned " + std::to_string(planned) + " of " + std::to_string(count) + " objects");
-    watch.Stop = watch.Stop || !goesOn;
-  }
-  lock.unlock();
-  worker.join();
-}
 
 /// What the flights of all objects have in common.
 ObjectPlanOptions SharedOptions(const PlanInput& input, const PlanOptions& options,
@@ -168,41 +133,6 @@ void MoveJob(StateArchive& stream, Database& database, Objects& objects, Rows& r
   PlanOptions::Visit(stream, options);
 }
 
-/// Objects that are to be planned, handed out from the first to the last to threads and ranks.
-class Queue
-{
-public:
-  explicit Queue(std::vector<std::size_t> objects) : Objects(std::move(objects)) {}
-  std::size_t Size() const { return this->Objects.size(); }
-  bool Next(std::size_t& object)
-  {
-    const std::size_t k = this->Begun++;
-    if (k < this->Objects.size())
-    {
-      object = this->Objects[k];
-    }
-    return k < this->Objects.size();
-  }
-  /// Fewer towards the end, so that all ranks end together.
-  std::vector<std::int64_t> Some(std::int64_t most, int ranks)
-  {
-    const auto begun = static_cast<std::int64_t>(std::min(this->Begun.load(), this->Size()));
-    const std::int64_t left = static_cast<std::int64_t>(this->Size()) - begun;
-    const std::int64_t count = std::clamp<std::int64_t>(left / (2 * ranks), 1, most);
-    std::vector<std::int64_t> some;
-    for (std::size_t object = 0;
-         static_cast<std::int64_t>(some.size()) < count && this->Next(object);)
-    {
-      some.push_back(static_cast<std::int64_t>(object));
-    }
-    return some;
-  }
-
-private:
-  std::vector<std::size_t> Objects;
-  std::atomic<std::size_t> Begun{ 0 };
-};
-
 } // namespace
 
 Result FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
@@ -224,7 +154,6 @@ Result FlyUnknown(const PlanInput& input, const PlanOptions& options, const Plan
   }
   FlightWatch watch;
   Flights flights(input, options, tools, rows, isUsed, watch);
-  Queue queue(std::move(unknown));
   TreeRoom trees(plans, options);
   const auto keep = [&](std::size_t i, ObjectPlan plan)
   {
@@ -233,45 +162,38 @@ Result FlyUnknown(const PlanInput& input, const PlanOptions& options, const Plan
     plans.IsDone[i] = !watch.Stop;
     ++watch.Done;
   };
-  const auto flySome = [&](std::size_t begin, std::size_t end)
-  {
-    std::size_t object = 0;
-    for (std::size_t k = begin; k < end && !watch.Stop && queue.Next(object); ++k)
-    {
-      keep(object, flights.Fly(object));
-    }
-  };
-
-  SingleRank alone;
-  Communicator& ranks = input.Ranks != nullptr && queue.Size() > 1 ? *input.Ranks : alone;
-  MemoryStream job;
-  if (ranks.Size() > 1)
+  const std::string of = " of " + std::to_string(unknown.size()) + " objects";
+  std::vector<char> isPublished(input.Objects.size(), 0);
+  SharedLoop loop;
+  loop.Kind = PlanKind;
+  loop.Items = unknown;
+  loop.Tell = [&](StateArchive& job)
   {
     MoveJob(job, input.Database, input.Objects, rows, isUsed, input.Obstacles.Obstacles(),
             input.Scene, input.Guides, options);
-  }
-  WorkSharing others(ranks, PlanKind, job);
-  Result shared = Result::Ok();
-  std::vector<char> isPublished(input.Objects.size(), 0);
-  const auto between = [&]()
+  };
+  loop.Work = [&](std::size_t i) { keep(i, flights.Fly(i)); };
+  loop.Take = [&](std::size_t i, ReadingStream& stream)
   {
-    shared = others.Look([&](std::int64_t most) { return queue.Some(most, ranks.Size()); },
-                         [&](std::int64_t object, ReadingStream& stream)
-                         {
-                           ObjectPlan plan;
-                           stream.Values(plan);
-                           keep(static_cast<std::size_t>(object), std::move(plan));
-                           return Result::Ok();
-                         });
-    watch.Stop = watch.Stop || !shared;
+    ObjectPlan plan;
+    stream.Values(plan);
+    keep(i, std::move(plan));
+  };
+  loop.IsWatched = true;
+  loop.Watch = [&]()
+  {
     if (monitor.Publishes())
     {
       PublishReady(input.Objects, plans, isPublished, soFar);
     }
-    return others.Away() > 0;
+    const std::size_t planned = watch.Done;
+    const std::unique_lock<std::shared_mutex> hold(watch.Holding);
+    const bool goesOn =
+      monitor.Tick(0.05 + 0.9 * static_cast<double>(planned) / static_cast<double>(unknown.size()),
+                   "Planned " + std::to_string(planned) + of);
+    watch.Stop = watch.Stop || !goesOn;
   };
-  RunWhileTicking([&]() { parallelFor(queue.Size(), flySome); }, queue.Size(), between,
-                  std::chrono::milliseconds(ranks.Size() > 1 ? 5 : 50), monitor, watch);
+  const Result shared = RunShared(loop, input.Ranks, parallelFor, watch.Stop);
   soFar.clear();
   return !shared ? shared : watch.Stop ? Result::Stopped() : Result::Ok();
 }
@@ -294,37 +216,14 @@ Result ServePlans(ReadingStream& inputs, SharedItems& items, int atOnce,
     MakePlanTools(database, LibraryOptionsOf(options, input.Scene), parallelFor, tools));
   FlightWatch watch;
   Flights flights(input, options, *tools, rows, isUsed, watch);
-  SilentMonitor silent;
-  while (!watch.Stop)
-  {
-    const std::vector<std::int64_t> some = items.Take(4 * atOnce, true);
-    if (some.empty())
+  ServeLoop(
+    items, 4 * atOnce, parallelFor,
+    [&](std::size_t i, StateArchive& result)
     {
-      break;
-    }
-    std::vector<ObjectPlan> plans(some.size());
-    const auto fly = [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t k = begin; k < end && !watch.Stop; ++k)
-      {
-        plans[k] = flights.Fly(static_cast<std::size_t>(some[k]));
-      }
-    };
-    RunWhileTicking([&]() { parallelFor(some.size(), fly); }, some.size(),
-                    [&]()
-                    {
-                      watch.Stop = items.IsOver();
-                      return false;
-                    },
-                    std::chrono::milliseconds(20), silent, watch);
-    watch.Stop = items.IsOver();
-    for (std::size_t k = 0; k < some.size() && !watch.Stop; ++k)
-    {
-      MemoryStream result;
-      result.Values(plans[k]);
-      items.Give(some[k], std::move(result.Content));
-    }
-  }
+      const ObjectPlan plan = flights.Fly(i);
+      result.Values(plan);
+    },
+    watch.Stop);
   return Result::Ok();
 }
 
