@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSharedWork.h"
 
+#include "Air/Run/EachBody.h"
 #include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Database/DatabaseBuild.h"
 #include "Planning/ScenePlans.h"
+#include "Rotation/BodyTurner.h"
 
 #include <vtkObjectFactory.h>
 
@@ -18,7 +20,14 @@ void vtkSharedWork::Serve(vtkMultiProcessController* controller)
   { return waft::ServeSimulations(inputs, items, waft::ItemsAtOnce(), parallelFor); };
   const auto plan = [&](waft::ReadingStream& inputs, waft::SharedItems& items)
   { return waft::ServePlans(inputs, items, waft::ItemsAtOnce(), parallelFor); };
-  waft::Serve(ranks, { { waft::SimulationKind, simulate }, { waft::PlanKind, plan } });
+  const auto drift = [&](waft::ReadingStream& inputs, waft::SharedItems& items)
+  { return waft::ServeBodies(inputs, items, waft::ItemsAtOnce(), parallelFor); };
+  const auto turn = [&](waft::ReadingStream& inputs, waft::SharedItems& items)
+  { return waft::ServeTurning(inputs, items, waft::ItemsAtOnce(), parallelFor); };
+  waft::Serve(ranks, { { waft::SimulationKind, simulate },
+                       { waft::PlanKind, plan },
+                       { waft::BodiesKind, drift },
+                       { waft::TurningKind, turn } });
 }
 
 void vtkSharedWork::Release(vtkMultiProcessController* controller)

@@ -12,6 +12,7 @@
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -21,6 +22,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -126,6 +128,8 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   {
     waft::AssimilationInput input;
     WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
+    waft::ControllerCommunicator ranks(this->Self->Controller);
+    input.Ranks = &ranks;
     const waft::SolidsOn solids = [&input](const waft::SmokeOptions& smoke)
     { return waft::NodeSolids(input.Obstacles, smoke); };
     WAFT_RETURN_IF_FAILED(
@@ -180,6 +184,16 @@ vtkAirAssimilationFilter::vtkAirAssimilationFilter() : Impl(std::make_unique<Int
 }
 
 vtkAirAssimilationFilter::~vtkAirAssimilationFilter() = default;
+
+void vtkAirAssimilationFilter::SetController(vtkMultiProcessController* controller)
+{
+  this->Controller = controller; // which changes no byte of what comes out
+}
+
+vtkMultiProcessController* vtkAirAssimilationFilter::GetController()
+{
+  return this->Controller;
+}
 
 double vtkAirAssimilationFilter::InRange(const char* property, double value)
 {

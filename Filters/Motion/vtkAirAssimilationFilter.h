@@ -29,6 +29,7 @@
 
 #include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -39,6 +40,8 @@ namespace waft
 struct AssimilationOptions;
 struct TurningOptions;
 } // namespace waft
+
+class vtkMultiProcessController;
 
 class VTKWAFTFILTERS_EXPORT vtkAirAssimilationFilter : public vtkSlicedPolyDataAlgorithm
 {
@@ -95,6 +98,15 @@ public:
   vtkBooleanMacro(Active, bool);
   ///@}
 
+  ///@{
+  /**
+   * Processes whose bodies drift for this one, the first; the others are in vtkSharedWork::Serve.
+   * None by default: this one alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -123,6 +135,7 @@ private:
   friend struct waft::TurningOptions;
 
   bool Active = true;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -12,6 +12,7 @@
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Files/ShapeColors.h"
 #include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -22,6 +23,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -158,6 +160,8 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   input.Obstacles = &obstacles;
   const waft::FieldSeries wind = this->Fields.TakeWind();
   input.Wind = &wind;
+  waft::ControllerCommunicator ranks(this->Self->Controller);
+  input.Ranks = &ranks;
   WAFT_RETURN_IF_FAILED(this->BuildMeshes(inputs, input));
   const waft::Result result =
     waft::RunRotationRefine(input, waft::OptionsOf<waft::RotationOptions>(*this->Self),
@@ -246,6 +250,16 @@ vtkRotationRefineFilter::vtkRotationRefineFilter() : Impl(std::make_unique<Inter
 }
 
 vtkRotationRefineFilter::~vtkRotationRefineFilter() = default;
+
+void vtkRotationRefineFilter::SetController(vtkMultiProcessController* controller)
+{
+  this->Controller = controller; // which changes no byte of what comes out
+}
+
+vtkMultiProcessController* vtkRotationRefineFilter::GetController()
+{
+  return this->Controller;
+}
 
 double vtkRotationRefineFilter::InRange(const char* property, double value)
 {

@@ -39,6 +39,7 @@
 
 #include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -48,6 +49,8 @@ namespace waft
 struct RotationOptions;
 struct TurningOptions;
 }
+
+class vtkMultiProcessController;
 
 class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkSlicedPolyDataAlgorithm
 {
@@ -87,6 +90,15 @@ public:
   vtkBooleanMacro(Active, bool);
   ///@}
 
+  ///@{
+  /**
+   * Processes that turn bodies for this one, the first; the others are in vtkSharedWork::Serve.
+   * None by default: this one alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -115,6 +127,7 @@ private:
   friend struct waft::TurningOptions;
 
   bool Active = true;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -17,6 +17,19 @@ AirOnTracks::AirOnTracks(const std::vector<Track>& tracks, const Timeline& time)
   }
 }
 
+AirOnTracks::AirOnTracks(const std::vector<std::vector<Vec3>>& velocities,
+                         const std::vector<std::vector<Mat3>>& gradients) :
+  Samples(velocities.size())
+{
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+  {
+    for (std::size_t k = 0; k < velocities[i].size(); ++k)
+    {
+      this->Samples[i].push_back({ velocities[i][k].cast<float>(), gradients[i][k].cast<float>() });
+    }
+  }
+}
+
 Result AirOnTracks::Add(FieldSeries fields)
 {
   WAFT_RETURN_IF_FAILED(fields.Validate("Air"));

@@ -22,14 +22,17 @@ public:
   AirOnTracks() = default;
   /// Tracks have to stay where they are until Finish.
   AirOnTracks(const std::vector<Track>& tracks, const Timeline& time);
+  /// As another one says it, by track and frame.
+  AirOnTracks(const std::vector<std::vector<Vec3>>& velocities,
+              const std::vector<std::vector<Mat3>>& gradients);
   /// The fields that follow those added before, on the same lattice: velocities [m/s]. Fails where
   /// they are accelerations, are earlier, or FieldSeries::Validate does.
   Result Add(FieldSeries fields);
   /// After the last field.
   void Finish();
 
-  /// No field was added.
-  bool IsEmpty() const { return this->Last.IsEmpty(); }
+  /// Nothing is said of the air.
+  bool IsEmpty() const { return this->Last.IsEmpty() && this->Samples.empty(); }
   /// m/s, at a frame of the i-th track.
   Vec3 Velocity(std::size_t i, std::size_t frame) const;
   /// d u_r / d x_c [1/s].

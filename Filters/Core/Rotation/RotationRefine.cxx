@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/RotationRefine.h"
 
-#include "Base/BodyLaw.h"
 #include "Base/FractionDone.h"
 #include "Base/ShapeMeasures.h"
-#include "Constraints/Rest.h"
-#include "Constraints/RowsOfObjects.h"
-#include "Rotation/Agreement.h"
-#include "Rotation/Attitude.h"
-#include "Rotation/Pace.h"
+#include "Rotation/BodyTurner.h"
 #include "Rotation/PartMeshes.h"
 #include "Rotation/PoseRates.h"
 #include "Rotation/RotationReport.h"
@@ -92,93 +87,6 @@ Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objec
   return Result::Ok();
 }
 
-PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const RotationInput& input)
-{
-  std::vector<LandingWindow> windows;
-  if (input.Obstacles != nullptr)
-  {
-    windows = LandingWindows(object, { row }, *input.Obstacles, input.Scene.Time.FramesPerSecond);
-  }
-  if (windows.empty())
-  {
-    LandingWindow level; // nothing below
-    level.Frame = row.Frame;
-    level.Until = LastFrame(row);
-    windows.push_back(level);
-  }
-  PlannedRest rest{ windows.front() };
-  const bool isAsked = row.Target != OfNoRow;
-  rest.Deadline = isAsked ? std::max(row.Frame, rest.Frame) : rest.Until;
-  rest.Side = row.Side;
-  return rest;
-}
-
-AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options,
-                      const RowsOfObjects& places, const MotionObject& object, const Track& track)
-{
-  AttitudePlan plan;
-  plan.Object = &object;
-  plan.Path = &track;
-  plan.Body = &input.Shapes[object.ShapeId];
-  plan.Obstacles = input.Obstacles;
-  plan.Time = input.Scene.Time;
-  plan.Seed = options.Seed;
-  plan.LandingTime = options.LandingTime;
-  plan.TurningTime = options.TurningTime;
-  plan.TurningRate = options.TurningRate;
-  plan.Tolerance = 1e-3 * input.Scene.Bounds.Width();
-  const int last = static_cast<int>(track.Positions.size()) - 1;
-  for (const std::size_t place : places.Of(object.ObjectId))
-  {
-    const Constraint& row = input.Constraints[place];
-    // A row that an earlier stage found impossible does not bind; how near a position is come to
-    // stays.
-    const bool binds = row.Status == ConstraintStatus::Met ||
-                       (row.Status == ConstraintStatus::Unreachable && IsPassing(row.Kind));
-    if (!binds || row.Frame < 0 || row.Frame > last)
-    {
-      continue;
-    }
-    switch (row.Kind)
-    {
-      case ConstraintKind::Position:
-        plan.Held.push_back(row.Frame);
-        if (!row.Facing.isZero())
-        {
-          plan.Keys.push_back(row);
-        }
-        break;
-      case ConstraintKind::Velocity:
-      case ConstraintKind::Acceleration:
-        // These are about differences of neighbours, at the ends of the three or four nearest.
-        for (int k = std::max(row.Frame - 3, 0); k <= std::min(row.Frame + 3, last); ++k)
-        {
-          plan.Held.push_back(k);
-        }
-        break;
-      case ConstraintKind::Orientation:
-        plan.Keys.push_back(row);
-        break;
-      case ConstraintKind::Rest:
-        plan.Rests.push_back(LandingOf(row, object, input));
-        break;
-    }
-  }
-  const auto earlier = [](const auto& a, const auto& b) { return a.Frame < b.Frame; };
-  // Of one frame a whole orientation counts.
-  std::stable_sort(plan.Keys.begin(), plan.Keys.end(),
-                   [](const Constraint& a, const Constraint& b) {
-                     return a.Frame < b.Frame ||
-                            (a.Frame == b.Frame && IsAttitude(a.Kind) && !IsAttitude(b.Kind));
-                   });
-  std::stable_sort(plan.Rests.begin(), plan.Rests.end(), earlier);
-  for (std::size_t i = 0; i + 1 < plan.Rests.size(); ++i)
-  {
-    plan.Rests[i].Until = std::min(plan.Rests[i].Until, plan.Rests[i + 1].Frame);
-  }
-  return plan;
-}
-
 /// What has been turned and shifted so that bodies pass each other, and what could not be helped.
 bool KeepApart(const RotationInput& input, double most, const ParallelFor& parallel,
                Monitor& monitor, RotationOutput& result, PartedMotion& parted)
@@ -253,71 +161,20 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     }
   }
 
-  const RowsOfObjects places(input.Constraints);
-  std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
-  result.Away.resize(input.Tracks.size());
-  result.Factors.resize(input.Tracks.size());
-  const double most = MostTurn(options.MaximumTurn, input.Scene.Time); // rad a frame
-  const auto turn = [&](std::size_t i, const auto& act)
+  const BodyTurner turner(input, options, shapes);
+  std::vector<BodyTurn> turned;
+  const Result done = TurnBodies(turner, parallel, monitor, output.Poses, turned);
+  if (!done || done.IsStopped())
   {
-    const Track& track = input.Tracks[i];
-    const MotionObject& object = input.Objects[objectOfId.at(track.ObjectId)];
-    const PreparedShape& shape = shapes[object.ShapeId];
-    const Glider glider = GliderOf(input, options, shape, object);
-    double draw =
-      input.Glides || HasFlown(track) ? shape.Draw * LawOf(object).SettlingSpeed() : 0.0;
-    const FlightBody body = glider.DrawnAt(draw);
-    draw = body.Slips ? draw : 0.0;
-    result.Factors[i] = glider.FactorsAt(draw);
-    AttitudePlan plan = MakePlan(input, options, places, object, track);
-    plan.BoundingRadius = shape.Properties.BoundingRadius;
-    plan.Glides = input.Glides;
-    FlightPath path = MakePath(input, i, draw, glider.Pace);
-    if (draw > 0.0)
-    {
-      EndDraw(plan, path);
-    }
-    const PoseTrack& poses = act(plan, body, path);
-    if (HasFlown(track) && draw > 0.0)
-    {
-      SetLimit(most, path);
-      result.Away[i] = TurnedAway(plan, body, path, poses);
-    }
-  };
-  constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
-  for (std::size_t first = 0; first < outcomes.size(); first += Batch)
-  {
-    const std::size_t count = std::min(Batch, outcomes.size() - first);
-    parallel(count,
-             [&](std::size_t begin, std::size_t end)
-             {
-               for (std::size_t i = first + begin; i < first + end; ++i)
-               {
-                 turn(i,
-                      [&](const AttitudePlan& plan, const FlightBody& body,
-                          const FlightPath& path) -> const PoseTrack&
-                      {
-                        outcomes[i] = TurnObjectWithin(most, plan, body, path);
-                        return outcomes[i].Poses;
-                      });
-               }
-             });
-    for (std::size_t i = first; monitor.Publishes() && i < first + count; ++i)
-    {
-      output.Poses.push_back(outcomes[i].Poses);
-    }
-    const double done = FractionDone(first + count, outcomes.size());
-    if (!monitor.Tick(0.1 + 0.9 * done, "Turning objects"))
-    {
-      return Result::Stopped();
-    }
+    return done;
   }
 
   std::map<std::pair<int, int>, std::string> tooFast;
-  TurnCount turns(most, options.MaximumTurn > 0.0 ? 0.0 : SeldomSlowed);
+  TurnCount turns(turner.Most(), options.MaximumTurn > 0.0 ? 0.0 : SeldomSlowed);
   result.Constraints = input.Constraints;
-  for (AttitudeOutcome& outcome : outcomes)
+  for (BodyTurn& turn : turned)
   {
+    AttitudeOutcome& outcome = turn.Outcome;
     for (std::size_t k = 0; k < outcome.Poses.Orientations.size(); ++k)
     {
       if (!outcome.Poses.Orientations[k].coeffs().allFinite() ||
@@ -328,10 +185,12 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
       }
     }
     turns.Add(outcome);
-    for (const std::size_t place : places.Of(outcome.Poses.ObjectId))
+    for (const std::size_t place : turner.RowsOf(outcome.Poses.ObjectId))
     {
       TakeRestTimes(outcome.Rests, result.Constraints[place]);
     }
+    result.Away.push_back(std::move(turn.Away));
+    result.Factors.push_back(turn.Factors);
     result.Poses.push_back(std::move(outcome.Poses));
     result.Shifts.push_back(std::move(outcome.Shifts));
     tooFast.merge(outcome.TooFast);
@@ -340,7 +199,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   if (options.KeepApart && !input.Glides)
   {
     PartedMotion parted;
-    if (!KeepApart(input, most, parallel, monitor, result, parted))
+    if (!KeepApart(input, turner.Most(), parallel, monitor, result, parted))
     {
       return Result::Stopped();
     }
@@ -351,7 +210,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                {
                  if (!parted.Turned[i].empty())
                  {
-                   turn(i, [&](const auto&...) -> const PoseTrack& { return result.Poses[i]; });
+                   result.Away[i] = turner.AwayOf(i, result.Poses[i]);
                  }
                }
              });

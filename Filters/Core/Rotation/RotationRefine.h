@@ -2,6 +2,7 @@
 // Shi et al. 2005, section 6: how each object turns while its centre follows a given path.
 #pragma once
 
+#include "Base/Communicator.h"
 #include "Base/FieldSeries.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
@@ -81,6 +82,8 @@ struct RotationInput
   /// they glide is for who moves them. Tracks with Slips keep the poses that are theirs.
   bool Glides = false;
   PreparedShapes* Prepared = nullptr; // of an earlier run with these Shapes and options; or none
+  /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
+  Communicator* Ranks = nullptr;
 };
 
 struct RotationOutput

@@ -37,26 +37,30 @@ void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
 Result FirstDrift(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
   PartMonitor monitor(run.Caller, DrawEnd, DriftEnd, "Letting the objects drift to their marks");
-  (void)SeekPaths(run, state.Sampled.Velocity, std::vector<char>(state.Bodies.Size(), 1),
-                  state.Bodies, monitor);
+  const Result sought = SeekPaths(run, state.Sampled.Velocity,
+                                  std::vector<char>(state.Bodies.Size(), 1), state.Bodies, monitor);
+  WAFT_RETURN_IF_FAILED(sought);
   output.Rounds.push_back(RoundOf(run, state, "drift"));
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
 }
 
-// What an edit changed, in the air that it leaves.
-void DriftEdited(const AirContext& run, AirState& state, AssimilationOutput& output)
+// What an edit changed, in the air that it leaves. Stopped it has what there is by then.
+Result DriftEdited(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
-  (void)FirstDrift(run, state, output);
-  (void)TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations, Everybody(state.Bodies),
-                     state.Bodies);
+  WAFT_RETURN_IF_FAILED(FirstDrift(run, state, output));
+  WAFT_RETURN_IF_FAILED(TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
+                                     Everybody(state.Bodies), state.Bodies));
   if (!state.Bodies.Poses.empty()) // where their poses take them is another way
   {
     PartMonitor seeking(run.Caller, DriftEnd, DriftEnd, "Seeking anew by how the objects turn");
-    (void)SeekPaths(run, state.Sampled.Velocity, Everybody(state.Bodies), state.Bodies, seeking);
+    WAFT_RETURN_IF_FAILED(
+      SeekPaths(run, state.Sampled.Velocity, Everybody(state.Bodies), state.Bodies, seeking));
   }
   PartMonitor drifting(run.Caller, DriftEnd, 1.0, "Letting the objects drift to their marks");
-  (void)DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting);
+  WAFT_RETURN_IF_FAILED(
+    DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting));
   output.Rounds.push_back(RoundOf(run, state, "edit"));
+  return Result::Ok();
 }
 
 // Another round: the air does not yet do enough of it, and there is time.
@@ -86,6 +90,7 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
       return result;
     }
     result = FirstDrift(run, state, output);
+    WAFT_RETURN_IF_FAILED(result);
     if (!result.IsStopped())
     {
       KeepCheckpoint(run, state, output, checkpoint);
@@ -95,11 +100,13 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
   {
     const HalfSeries plain = state.Sampled.Velocity;
     result = FindWind(run, plain, state, output);
+    WAFT_RETURN_IF_FAILED(result);
   }
   while (!result.IsStopped() && GoesOn(run, state, output))
   {
     HalfSeries plain = state.Sampled.Velocity;
     result = FindWind(run, plain, state, output);
+    WAFT_RETURN_IF_FAILED(result);
     if (!result.IsStopped())
     {
       result = SimulateAgain(run, std::move(plain), state, output);
@@ -164,14 +171,13 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   const AirContext& run = setUp;
   run.Publish(state.Bodies);
   const bool isEdit = TakeEdit(run, memory, state, output);
-  if (isEdit && !state.Bodies.AreAllKept())
-  {
-    DriftEdited(run, state, output);
-  }
+  const Result edited = isEdit && !state.Bodies.AreAllKept() ? DriftEdited(run, state, output)
+                                                             : Result::Ok();
   if (memory != nullptr)
   {
     *memory = AssimilationState();
   }
+  WAFT_RETURN_IF_FAILED(edited);
   CheckpointFile checkpoint = CheckpointOf(run, output);
   const Result result = isEdit ? Result::Ok() : Assimilate(run, checkpoint, state, output);
   if (!result)
@@ -180,7 +186,7 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   }
   if (!state.Sampled.Velocity.IsEmpty())
   {
-    FinishRun(run, result.IsStopped(), state, output);
+    WAFT_RETURN_IF_FAILED(FinishRun(run, result.IsStopped(), state, output));
   }
   else
   {

@@ -8,6 +8,7 @@
 // ensemble of one, Courtier, Thepaut, Hollingsworth 1994).
 #pragma once
 
+#include "Base/Communicator.h"
 #include "Base/HalfSeries.h"
 #include "Base/Monitor.h"
 #include "Base/OptionFields.h"
@@ -179,6 +180,8 @@ struct AssimilationInput : MotionProblem
 {
   std::vector<Shape> Shapes; // by ShapeId: what flies; empty: nothing glides
   RotationOptions Turning;   // its Seed is not read: it is the air's
+  /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
+  Communicator* Ranks = nullptr;
 };
 
 /// What a round brought.

@@ -137,9 +137,11 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
     }
     PartMonitor drifting(run.Caller, begin + (k + 0.5) * step, begin + (k + 1) * step,
                          "Letting the objects drift in the wind correction");
-    if (!DriftOn(run, state.Sampled.Velocity, FurtherIterations, state.Bodies, drifting))
+    const Result drifted =
+      DriftOn(run, state.Sampled.Velocity, FurtherIterations, state.Bodies, drifting);
+    if (!drifted || drifted.IsStopped())
     {
-      return Result::Stopped();
+      return drifted;
     }
     output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &correction));
   }
@@ -170,15 +172,18 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
   PartMonitor drifting(run.Caller, ProgressOf(rounds, state.Rounds, SimulationEnd),
                        ProgressOf(rounds, state.Rounds, DriftingEnd),
                        "Letting the objects drift to their marks");
-  if (!DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting))
+  const Result drifted =
+    DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting);
+  if (!drifted || drifted.IsStopped())
   {
-    return Result::Stopped();
+    return drifted;
   }
   PartMonitor seeking(run.Caller, ProgressOf(rounds, state.Rounds, DriftingEnd),
                       ProgressOf(rounds, state.Rounds, 1.0), "Seeking anew what the air has lost");
-  if (!SeekAgain(run, state.Sampled.Velocity, state.Bodies, seeking))
+  const Result sought = SeekAgain(run, state.Sampled.Velocity, state.Bodies, seeking);
+  if (!sought || sought.IsStopped())
   {
-    return Result::Stopped();
+    return sought;
   }
   output.Rounds.push_back(RoundOf(run, state, "simulate " + number));
   return Result::Ok();

@@ -50,7 +50,7 @@ void KeepPlan(const AirContext& run, AssimilationOutput& output)
                    run.Input.Scene, output.Report);
 }
 
-void FinishRun(const AirContext& run, bool isStopped, AirState& state, AssimilationOutput& output)
+Result FinishRun(const AirContext& run, bool isStopped, AirState& state, AssimilationOutput& output)
 {
   AirBodies& bodies = state.Bodies;
   if (isStopped)
@@ -59,7 +59,7 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
   }
   else
   {
-    LandFreeBodies(run, state.Sampled.Velocity, bodies);
+    WAFT_RETURN_IF_FAILED(LandFreeBodies(run, state.Sampled.Velocity, bodies));
     KeepApart(run, state.Sampled.Velocity, bodies);
   }
   const std::vector<char> clear = FinishPaths(run, state.Sampled.Velocity, bodies);
@@ -113,6 +113,7 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
                    run.Input.Scene, output.Report);
   output.Air = std::make_shared<SampledAir>(std::move(state.Sampled));
   output.Vortices = state.Scene.Forces.Vortices;
+  return Result::Ok();
 }
 
 } // namespace waft

@@ -12,6 +12,7 @@ void KeepPlan(const AirContext& run, AssimilationOutput& output);
 
 /// Paths exactly through what is asked for, and what else is given out; the air goes over to the
 /// output. Who stops does not wait until objects give way to each other.
-void FinishRun(const AirContext& run, bool isStopped, AirState& state, AssimilationOutput& output);
+Result FinishRun(const AirContext& run, bool isStopped, AirState& state,
+                 AssimilationOutput& output);
 
 } // namespace waft

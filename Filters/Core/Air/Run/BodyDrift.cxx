@@ -2,13 +2,11 @@
 #include "Air/Run/BodyDrift.h"
 
 #include "Air/Drift/DriftTogether.h"
-#include "Air/Drift/FreeLanding.h"
 #include "Air/Run/AirRounds.h"
-#include "Base/FractionDone.h"
+#include "Air/Run/EachBody.h"
 #include "Base/ShapeMeasures.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -19,8 +17,7 @@ namespace waft
 namespace
 {
 
-constexpr int LandingIterations = 24; // of a path that is good but for its end
-constexpr double SoughtAgain = 0.2;   // control over the flow, of what is lost where it is
+constexpr double SoughtAgain = 0.2; // control over the flow, of what is lost where it is
 constexpr int ContactPasses = 3;
 constexpr double FirmContact = 4.0; // over the usual weight, of the last pass and after it
 // Over the usual weight in the end, of changes of the control: what contact and a mark ask for at
@@ -46,30 +43,6 @@ void AddTouching(const std::vector<DriftContact>& contacts,
     const double most = *std::max_element(residue[o].begin(), residue[o].end());
     which[o] = most > Touching ? 1 : which[o];
   }
-}
-
-// Each by itself. False: stopped, and some have not drifted.
-bool DriftAlone(const AirContext& run, const AirSampler& air, int iterations,
-                const std::vector<char>& which, AirBodies& bodies, PartMonitor& part)
-{
-  std::atomic<std::size_t> done{ 0 };
-  run.Parallel(bodies.Size(),
-               [&](std::size_t begin, std::size_t end)
-               {
-                 for (std::size_t o = begin; o < end; ++o)
-                 {
-                   if (!part.Tick(FractionDone(done++, bodies.Size()), ""))
-                   {
-                     return;
-                   }
-                   if (which[o] && !bodies.IsKept(o))
-                   {
-                     SolveDrift(bodies.Problems[o].In(air), air, run.Search.Weights, iterations,
-                                bodies.Paths[o]);
-                   }
-                 }
-               });
-  return part.Tick(1.0, "");
 }
 
 /// Of bodies that have turned.
@@ -111,33 +84,16 @@ std::vector<TogetherBody> Together(const AirSampler& air, const DriftWeights& we
 
 } // namespace
 
-bool SeekPaths(const AirContext& run, const HalfSeries& series, const std::vector<char>& which,
-               AirBodies& bodies, PartMonitor& monitor)
+Result SeekPaths(const AirContext& run, const HalfSeries& series, const std::vector<char>& which,
+                 AirBodies& bodies, PartMonitor& monitor)
 {
-  std::atomic<std::size_t> done{ 0 };
-  const AirSampler air(series);
-  run.Parallel(bodies.Size(),
-               [&](std::size_t begin, std::size_t end)
-               {
-                 for (std::size_t o = begin; o < end; ++o)
-                 {
-                   const double fraction = FractionDone(done++, bodies.Size());
-                   if (!monitor.Tick(fraction, ""))
-                   {
-                     return;
-                   }
-                   if (which[o] && !bodies.IsKept(o))
-                   {
-                     SeekPath(run.Search, air, bodies.Problems[o], bodies.Paths[o], monitor);
-                   }
-                 }
-               });
+  const Result sought = EachBody(run, series, BodyTask::Seek, 0, which, bodies, monitor);
   run.Publish(bodies);
-  return monitor.Tick(1.0, "");
+  return !sought || monitor.Tick(1.0, "") ? sought : Result::Stopped();
 }
 
-bool SeekAgain(const AirContext& run, const HalfSeries& series, AirBodies& bodies,
-               PartMonitor& monitor)
+Result SeekAgain(const AirContext& run, const HalfSeries& series, AirBodies& bodies,
+                 PartMonitor& monitor)
 {
   const std::vector<ResidualControl> residuals = ResidualControlsOf(run, bodies, series);
   ResidualControl all;
@@ -154,8 +110,8 @@ bool SeekAgain(const AirContext& run, const HalfSeries& series, AirBodies& bodie
   return SeekPaths(run, series, which, bodies, monitor);
 }
 
-bool DriftOn(const AirContext& run, const HalfSeries& series, int iterations, AirBodies& bodies,
-             Monitor& monitor)
+Result DriftOn(const AirContext& run, const HalfSeries& series, int iterations, AirBodies& bodies,
+               Monitor& monitor)
 {
   PartMonitor part(monitor, 0.0, 1.0);
   const AirSampler air(series);
@@ -167,8 +123,9 @@ bool DriftOn(const AirContext& run, const HalfSeries& series, int iterations, Ai
   AddTouching(contacts(), bodies.Paths, touches);
   std::vector<char> alone(bodies.Size());
   std::transform(touches.begin(), touches.end(), alone.begin(), std::logical_not<char>());
-  bool goesOn = DriftAlone(run, air, iterations, alone, bodies, part);
-  if (goesOn)
+  const Result result = EachBody(run, series, BodyTask::Drift, iterations, alone, bodies, part);
+  bool goesOn = part.Tick(1.0, "") && !result.IsStopped();
+  if (result && goesOn)
   {
     const std::vector<DriftContact> near = contacts();
     AddTouching(near, bodies.Paths, touches);
@@ -177,32 +134,20 @@ bool DriftOn(const AirContext& run, const HalfSeries& series, int iterations, Ai
                            iterations, run.Parallel, part, bodies.Paths);
   }
   run.Publish(bodies);
-  return goesOn;
+  return !result || goesOn ? result : Result::Stopped();
 }
 
-void LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies& bodies)
+Result LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies& bodies)
 {
-  const AirSampler air(series);
   const int frames = static_cast<int>(bodies.Paths.front().size());
-  run.Parallel(bodies.Size(),
-               [&](std::size_t begin, std::size_t end)
-               {
-                 for (std::size_t o = begin; o < end; ++o)
-                 {
-                   BodyProblem& body = bodies.Problems[o];
-                   const int first = body.FreeFrom();
-                   const FreeLanding landing =
-                     bodies.IsKept(o) || first >= frames
-                       ? FreeLanding()
-                       : FindFreeLanding(run.Around, body.Object(), air, bodies.Paths[o], first);
-                   if (landing.Frame >= 0)
-                   {
-                     body.LandFreely(landing.Frame, landing.Place);
-                     SolveDrift(body.In(air), air, run.Search.Weights, LandingIterations,
-                                bodies.Paths[o]);
-                   }
-                 }
-               });
+  std::vector<char> which;
+  for (const BodyProblem& body : bodies.Problems)
+  {
+    which.push_back(body.FreeFrom() < frames ? 1 : 0);
+  }
+  SilentMonitor silent; // it is short, and a motion without it would not be whole
+  PartMonitor part(silent, 0.0, 1.0);
+  return EachBody(run, series, BodyTask::Land, 0, which, bodies, part);
 }
 
 void KeepApart(const AirContext& run, const HalfSeries& series, AirBodies& bodies)

@@ -9,19 +9,19 @@
 namespace waft
 {
 
-/// Each by a search (SeekPath). False: stopped.
-bool SeekPaths(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
-               AirBodies& bodies, PartMonitor& monitor);
+/// Each by a search (SeekPath).
+Result SeekPaths(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
+                 AirBodies& bodies, PartMonitor& monitor);
 /// Those whom the air as it has become does not take to their marks.
-bool SeekAgain(const AirContext& run, const HalfSeries& air, AirBodies& bodies,
-               PartMonitor& monitor);
+Result SeekAgain(const AirContext& run, const HalfSeries& air, AirBodies& bodies,
+                 PartMonitor& monitor);
 
-/// Each from its path on, beside the others as they are. False: stopped, and some have not drifted.
-bool DriftOn(const AirContext& run, const HalfSeries& air, int iterations, AirBodies& bodies,
-             Monitor& monitor);
+/// Each from its path on, beside the others as they are. Stopped, some have not drifted.
+Result DriftOn(const AirContext& run, const HalfSeries& air, int iterations, AirBodies& bodies,
+               Monitor& monitor);
 
 /// What nothing asks for any more and sinks to a surface lies there to the end.
-void LandFreeBodies(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
+Result LandFreeBodies(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
 
 /// Those that are too near to each other give way together, pass by pass harder.
 void KeepApart(const AirContext& run, const HalfSeries& air, AirBodies& bodies);

@@ -35,6 +35,7 @@ Result SetUp(const AirContext& run, const HalfSeries& series, const std::vector<
   input.Obstacles = &run.Obstacles;
   input.Glides = !flown;
   input.Prepared = &bodies.Shapes;
+  input.Ranks = run.Input.Ranks;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
     if (!which[o] || bodies.IsKept(o))
@@ -160,7 +161,7 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
     bodies.Problems[o].SetSlips(poses.Slips);
   }
   PartMonitor drifting(run.Caller, -1.0, -1.0, "Letting the objects drift to their marks");
-  return DriftOn(run, air, iterations, bodies, drifting) ? Result::Ok() : Result::Stopped();
+  return DriftOn(run, air, iterations, bodies, drifting);
 }
 
 Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, double degrees,
@@ -181,12 +182,12 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, double degrees, 
   }
   const auto shares = [&]
   {
-    std::vector<double> found;
+    std::vector<double> each;
     for (const ResidualControl& own : ResidualControlsOf(run, bodies, air))
     {
-      found.push_back(own.Rms(own.Control) / std::max(own.Rms(own.Flow), 1e-12));
+      each.push_back(own.Rms(own.Control) / std::max(own.Rms(own.Flow), 1e-12));
     }
-    return found;
+    return each;
   };
   const std::vector<std::vector<Vec3>> paths = bodies.Paths;
   const std::vector<PoseTrack> poses = bodies.Poses;

@@ -211,6 +211,7 @@ def _run(pipeline, course, is_found):
     pipeline.add_rotation(course.seed, clock.interrupted)
     for setting, value in course.request.settings("Rotation").items():
         setattr(pipeline.rotation, setting, value)
+    share(pipeline.rotation.GetClientSideObject())
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
     if "fit" not in WITHOUT[request.way] and not clock.should_stop():
@@ -222,6 +223,7 @@ def _assimilate(pipeline, course):
     from waft.run.pipeline import settings_of
 
     pipeline.add_assimilation(course.seed)
+    share(pipeline.assimilation.GetClientSideObject())
     if course.edit_of is not None:
         pipeline.assimilation.EditOf = str(course.edit_of)
     if course.checkpoint is not None:
