@@ -22,6 +22,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkMotionAnimationWriter);
 
@@ -48,8 +49,8 @@ struct vtkMotionAnimationWriter::Internals
 
   waft::Result Run(vtkAlgorithm* stage, vtkInformationVector** inputs, const std::string& fileName,
                    waft::Monitor& monitor);
-  waft::Result WriteGlb(vtkInformationVector** inputs, const std::vector<waft::Track>& tracks,
-                        const std::vector<waft::PoseTrack>& poses, double framesPerSecond,
+  waft::Result WriteGlb(vtkInformationVector** inputs, std::vector<waft::Track> tracks,
+                        std::vector<waft::PoseTrack> poses, double framesPerSecond,
                         const std::string& fileName, waft::Monitor& monitor);
 };
 
@@ -76,15 +77,18 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
   }
   if (waft::HasEnding(fileName, ".glb"))
   {
-    return this->WriteGlb(inputs, tracks, poses, info.Time.FramesPerSecond, fileName, monitor);
+    return this->WriteGlb(inputs, std::move(tracks), std::move(poses), info.Time.FramesPerSecond,
+                          fileName, monitor);
   }
   return waft::WrongEnding(fileName, Endings);
 }
 
-waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
-  vtkInformationVector** inputs, const std::vector<waft::Track>& tracks,
-  const std::vector<waft::PoseTrack>& poses, double framesPerSecond, const std::string& fileName,
-  waft::Monitor& monitor)
+waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector** inputs,
+                                                           std::vector<waft::Track> tracks,
+                                                           std::vector<waft::PoseTrack> poses,
+                                                           double framesPerSecond,
+                                                           const std::string& fileName,
+                                                           waft::Monitor& monitor)
 {
   std::vector<waft::MotionObject> objects;
   WAFT_RETURN_IF_FAILED(waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[1]), objects));
@@ -112,10 +116,11 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
   {
     int shapeId = 0;
     WAFT_RETURN_IF_FAILED(shapeOf.Find(tracks[i].ObjectId, shapeId));
-    animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId), tracks[i].Positions,
-                         poses[i].Orientations });
+    animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId),
+                         std::move(tracks[i].Positions), std::move(poses[i].Orientations) });
+    poses[i] = waft::PoseTrack();
   }
-  return waft::WriteAnimationGlb(fileName, shapes, animated, framesPerSecond, monitor);
+  return waft::WriteAnimationGlb(fileName, shapes, std::move(animated), framesPerSecond, monitor);
 }
 
 vtkMotionAnimationWriter::vtkMotionAnimationWriter() : Impl(std::make_unique<Internals>())

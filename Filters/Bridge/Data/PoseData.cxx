@@ -4,6 +4,7 @@
 #include "Base/MeshNormals.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/LineValues.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/TrackData.h"
@@ -119,30 +120,25 @@ void AddBodyFactors(const std::vector<BodyFactors>& factors, vtkPolyData* data)
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses)
 {
-  WAFT_RETURN_IF_FAILED(TracksFromPolyData(data, tracks, "Poses"));
-  const ArraySource points{ data->GetPointData(), "Poses", data->GetNumberOfPoints(), true };
-  const Vec3 zero = Vec3::Zero();
-  std::vector<Quat> orientations;
-  std::vector<Vec3> spins, torques;
-  WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
-  WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins, &zero));
-  WAFT_RETURN_IF_FAILED(ReadVectors(points, names::Torque, torques, &zero));
+  std::vector<Track> paths;
+  WAFT_RETURN_IF_FAILED(PathsFromPolyData(data, paths, "Poses"));
   std::vector<PoseTrack> read;
-  vtkNew<vtkIdList> line;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  for (const Track& path : paths)
   {
-    data->GetCellPoints(cell, line);
-    PoseTrack pose;
-    pose.ObjectId = tracks[static_cast<std::size_t>(cell)].ObjectId;
-    for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
-    {
-      const auto point = static_cast<std::size_t>(line->GetId(i));
-      pose.Orientations.push_back(orientations[point]);
-      pose.AngularVelocities.push_back(spins[point]);
-      pose.Torques.push_back(torques[point]);
-    }
-    read.push_back(std::move(pose));
+    read.emplace_back();
+    read.back().ObjectId = path.ObjectId;
   }
+  const ArraySource points{ data->GetPointData(), "Poses", data->GetNumberOfPoints(), true };
+  {
+    std::vector<Quat> orientations;
+    WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
+    TakeByLine(data, orientations, &PoseTrack::Orientations, read);
+  }
+  const Vec3 zero = Vec3::Zero();
+  std::vector<Vec3> spins;
+  WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins, &zero));
+  TakeByLine(data, spins, &PoseTrack::AngularVelocities, read);
+  tracks = std::move(paths);
   poses = std::move(read);
   return Result::Ok();
 }

@@ -30,7 +30,8 @@ void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTra
 void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* data);
 /// Adds what bodies turn and glide by, a number of each line.
 void AddBodyFactors(const std::vector<BodyFactors>& factors, vtkPolyData* data);
-/// Needs `Orientation`; the other arrays are zero where absent.
+/// Places and poses alone: of a large scene all that tracks have would be most of the memory. Needs
+/// `Orientation`; angular velocities are zero where they are absent.
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses);
 

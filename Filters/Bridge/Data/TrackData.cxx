@@ -3,11 +3,11 @@
 
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/LineValues.h"
 #include "Bridge/Data/SceneData.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -34,21 +34,6 @@ void Append(const std::vector<T>& values, std::size_t count, const T& fallback, 
   {
     all.insert(all.end(), count, fallback);
   }
-}
-
-template <class T>
-std::vector<T> Pick(const std::vector<T>& all, vtkIdList* ids)
-{
-  std::vector<T> values;
-  if (!all.empty())
-  {
-    values.reserve(static_cast<std::size_t>(ids->GetNumberOfIds()));
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      values.push_back(all[static_cast<std::size_t>(ids->GetId(i))]);
-    }
-  }
-  return values;
 }
 
 // Absent arrays leave the list empty.
@@ -154,7 +139,7 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   SceneInfoToFieldData(info, data);
 }
 
-Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const std::string& input)
+Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const std::string& input)
 {
   WAFT_RETURN_IF_FAILED(CheckCells(data, input));
   if (data->GetNumberOfCells() == 0)
@@ -163,30 +148,31 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const s
                          ": no objects: expected at least one line, the path of an object, found " +
                          (data->GetNumberOfPoints() == 0 ? "empty data" : "points alone"));
   }
-  const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
   const ArraySource cells{ data->GetCellData(), input, data->GetNumberOfCells() };
   std::vector<Track> read(static_cast<std::size_t>(data->GetNumberOfCells()));
-  // Array by array, so that but one of them is there twice.
-  const auto take = [&](const auto& all, auto member)
-  {
-    vtkNew<vtkIdList> line;
-    for (std::size_t cell = 0; !all.empty() && cell < read.size(); ++cell)
-    {
-      data->GetCellPoints(static_cast<vtkIdType>(cell), line);
-      read[cell].*member = Pick(all, line);
-    }
-  };
   {
     std::vector<Vec3> positions;
     WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), input, positions));
-    take(positions, &Track::Positions);
+    TakeByLine(data, positions, &Track::Positions, read);
   }
-  std::vector<int> ids, types, vortexIds;
+  std::vector<int> ids;
   WAFT_RETURN_IF_FAILED(ReadInts(cells, names::ObjectId, ids));
   for (std::size_t cell = 0; cell < read.size(); ++cell)
   {
     read[cell].ObjectId = ids[cell];
   }
+  tracks = std::move(read);
+  return Result::Ok();
+}
+
+Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const std::string& input)
+{
+  std::vector<Track> read;
+  WAFT_RETURN_IF_FAILED(PathsFromPolyData(data, read, input));
+  const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
+  // Array by array, so that but one of them is there twice.
+  const auto take = [&](const auto& all, auto member) { TakeByLine(data, all, member, read); };
+  std::vector<int> types, vortexIds;
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::ForceType, types));
   std::vector<ForceType> forceTypes;
   for (const int type : types)

@@ -23,5 +23,7 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
 /// the data are called in messages.
 Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                           const std::string& input = "Tracks");
+/// The same with their objects and places alone.
+Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const std::string& input);
 
 } // namespace waft

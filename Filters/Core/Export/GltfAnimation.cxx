@@ -6,12 +6,14 @@
 #include "Base/AtomicFile.h"
 #include "Base/MeshNormals.h"
 #include "Base/ShapeMeasures.h"
+#include "Export/Appender.h"
 
 #include <tiny_gltf.h>
 
 #include <cmath>
 #include <cstring>
-#include <sstream>
+#include <ostream>
+#include <utility>
 
 namespace waft
 {
@@ -25,6 +27,8 @@ struct Elements
   int Type = TINYGLTF_TYPE_SCALAR;
   std::size_t Width = 1;
 };
+
+constexpr std::size_t NumbersOfPose = 3 + 4; // a place and a quaternion
 
 Vec3 ToYUp(const Vec3& v)
 {
@@ -116,6 +120,13 @@ public:
     this->Model.animations[0].name = "Motion";
   }
 
+  /// For as many poses of objects: bytes that grow are there twice.
+  void Reserve(std::size_t poses)
+  {
+    std::vector<unsigned char>& data = this->Model.buffers[0].data;
+    data.reserve(data.size() + poses * NumbersOfPose * sizeof(float));
+  }
+
   void AddObject(const AnimatedObject& object)
   {
     tinygltf::Node node;
@@ -146,11 +157,12 @@ public:
 
   bool Save(std::string& bytes)
   {
-    std::ostringstream stream;
+    bytes.clear();
+    bytes.reserve(this->Model.buffers[0].data.size());
+    Appender appender(bytes);
+    std::ostream stream(&appender);
     tinygltf::TinyGLTF gltf;
-    const bool written = gltf.WriteGltfSceneToStream(&this->Model, stream, false, true);
-    bytes = stream.str();
-    return written && stream.good();
+    return gltf.WriteGltfSceneToStream(&this->Model, stream, false, true) && stream.good();
   }
 
 private:
@@ -311,9 +323,8 @@ Result Check(const std::vector<AnimatedShape>& shapes, const std::vector<Animate
 }
 } // namespace
 
-Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
-                     const std::vector<AnimatedObject>& objects, double framesPerSecond,
-                     std::string& bytes, Monitor& monitor)
+Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<AnimatedObject> objects,
+                     double framesPerSecond, std::string& bytes, Monitor& monitor)
 {
   WAFT_RETURN_IF_FAILED(Check(shapes, objects, framesPerSecond));
   try
@@ -331,6 +342,7 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
     if (!objects.empty())
     {
       writer.AddTimes(objects[0].Positions.size());
+      writer.Reserve(objects.size() * objects[0].Positions.size());
     }
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
@@ -339,6 +351,7 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
         return Result::Stopped();
       }
       writer.AddObject(objects[i]);
+      objects[i] = AnimatedObject();
     }
     if (!writer.Save(bytes))
     {
@@ -353,11 +366,11 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
 }
 
 Result WriteAnimationGlb(const std::string& path, const std::vector<AnimatedShape>& shapes,
-                         const std::vector<AnimatedObject>& objects, double framesPerSecond,
+                         std::vector<AnimatedObject> objects, double framesPerSecond,
                          Monitor& monitor)
 {
   std::string bytes;
-  const Result result = GltfAnimation(shapes, objects, framesPerSecond, bytes, monitor);
+  const Result result = GltfAnimation(shapes, std::move(objects), framesPerSecond, bytes, monitor);
   return result && !result.IsStopped() ? WriteWholeFile(path, bytes) : result;
 }
 

@@ -39,14 +39,13 @@ struct AnimatedObject
 /// and texture coordinates has the texture's colours times its Tint, cut by its alpha at one half;
 /// another one has its Color. Both are made linear: a scene's colours are what a screen is told
 /// (sRGB), factors of glTF are amounts of light. Fails on poses of different lengths, an unknown
-/// shape, or numbers that are not finite.
-Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
-                     const std::vector<AnimatedObject>& objects, double framesPerSecond,
-                     std::string& bytes, Monitor& monitor);
+/// shape, or numbers that are not finite. Objects are let go of as they are written.
+Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<AnimatedObject> objects,
+                     double framesPerSecond, std::string& bytes, Monitor& monitor);
 
 /// The same as a .glb file, whole or not at all.
 Result WriteAnimationGlb(const std::string& path, const std::vector<AnimatedShape>& shapes,
-                         const std::vector<AnimatedObject>& objects, double framesPerSecond,
+                         std::vector<AnimatedObject> objects, double framesPerSecond,
                          Monitor& monitor);
 
 } // namespace waft
