@@ -171,8 +171,8 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   const AirContext& run = setUp;
   run.Publish(state.Bodies);
   const bool isEdit = TakeEdit(run, memory, state, output);
-  const Result edited = isEdit && !state.Bodies.AreAllKept() ? DriftEdited(run, state, output)
-                                                             : Result::Ok();
+  const Result edited =
+    isEdit && !state.Bodies.AreAllKept() ? DriftEdited(run, state, output) : Result::Ok();
   if (memory != nullptr)
   {
     *memory = AssimilationState();
