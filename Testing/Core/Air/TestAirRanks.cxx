@@ -15,10 +15,9 @@ namespace
 {
 
 constexpr int Frames = 46;
-constexpr int Bodies = 160; // enough that all they do each by itself is divided
+constexpr int Bodies = 210; // enough that all they do each by itself is divided
 
-/// Leaves in rows above each other: some land, some pass marks and are free from there on, some
-/// above others so that they touch.
+/// Leaves beside each other: some land, the others pass marks and are free from there on.
 AssimilationInput Crowd()
 {
   AssimilationInput input;
@@ -33,7 +32,7 @@ AssimilationInput Crowd()
   {
     MotionObject object;
     object.ObjectId = 3 * o;
-    object.Position = Vec3(-1.6 + 0.3 * (o % 11), -1.6 + 0.24 * (o / 11), 0.4 + 0.1 * (o % 3));
+    object.Position = Vec3(-1.8 + 0.27 * (o % 14), -1.8 + 0.25 * (o / 14), 0.4 + 0.1 * (o % 3));
     object.SettlingSpeed = 0.5;
     object.RestHeight = 0.01;
     input.Objects.push_back(object);
