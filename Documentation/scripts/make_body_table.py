@@ -145,7 +145,7 @@ def main():
     parser.add_argument("--waft", default=str(ROOT / "build/bin/waft"))
     parser.add_argument("--quality", default="air")
     parser.add_argument("--date", default=datetime.date.today().isoformat())
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     data = ROOT / "Data" / "Scenes"
     scenes = options.scenes or sorted([*data.glob("*.waft.json"), *data.glob("examples/*.waft.json")], key=size_of)
     for scene in scenes if options.runs.is_dir() or options.scenes else ():

@@ -329,6 +329,20 @@ class DefinitionTest(unittest.TestCase):
         self.assertAlmostEqual(alignment.value * alignment.drifters, 1.0, delta=1e-6)
         self.assertFalse(alignment.met, alignment)
 
+    def test_a_row_that_is_not_met_is_not_exact(self):
+        folder, mark = os.path.join(WORK, "unmet"), 45
+        positions = waves(COUNT, 0.5, frames=FRAMES)
+        write_folder(folder, positions, mark=mark)
+        path = os.path.join(folder, "constraints.vtp")
+        rows = read_surface(path)
+        wanted = np.pad(positions[:, mark], ((0, 0), (0, 1)))
+        wanted[3, 1] += 0.42  # beyond its ball of 2 cm
+        sample_folder.add(rows.GetPointData(), "Value", wanted)
+        for status, miss in ((0, 0.1), (3, 0.0)):
+            sample_folder.add(rows.GetPointData(), "Status", np.where(np.arange(COUNT) == 3, status, 0), np.int32)
+            write_xml(rows, path)
+            self.assertAlmostEqual(measure(folder)[0]["exact"].value, miss, msg=status)  # over the volume's width, 4 m
+
     def test_rows_of_position_hold_objects(self):
         rows = {"ObjectId": np.array([5, 5, 7, 9]), "Frame": np.array([10, 12, 30, 4]), "Kind": np.array([0, 1, 4, 0])}
         self.assertEqual([tuple(entry) for entry in np.argwhere(held(rows, np.array([5, 7]), FRAMES))], [(0, 10)])

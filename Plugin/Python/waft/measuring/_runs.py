@@ -11,7 +11,7 @@ from waft.measuring._drifters import END, START
 from waft.measuring._flights import Flights
 from waft.measuring._meshcuts import mesh_cuts
 from waft.reading import dynamics
-from waft.results._arrays import array_of, bounds_of, field_of, object_ids, points_of, polylines, rate_of, texts_of
+from waft.results._arrays import array_of, bounds_of, field_of, object_ids, points_of, polylines, rate_of
 from waft.results._folder import read_surface
 from waft.results._records import REPORT, record_of
 from waft.results.writing import settled
@@ -19,6 +19,7 @@ from waft.scene._kinds import POSITION, REST, VELOCITY
 
 TRACKS = ("optimized", "assimilated", "planned", "poses")
 LEAST_FRAMES, MEASURED_RATES = 8, (4.0, 1000.0)  # of what can be measured; frames a second
+MET = 0  # `Status` of a constraint that is met
 NEAR_ROW = 8  # frames about a position row that are no free flight
 
 
@@ -127,9 +128,8 @@ def _rows(folder):
     rows.update(Radius=array_of(columns, "Radius", path, low=0.0), Value=array_of(columns, "Value", path, 4))
     for name in times:
         rows[name] = array_of(columns, name, path, kind=int, low=-1) if columns.HasArray(name) else np.full(len(rows["Frame"]), -1)
-    statuses = texts_of(columns, "Status")
-    if statuses:
-        rows["Met"] = np.array([status == "met" for status in statuses], bool)
+    if columns.HasArray("Status"):
+        rows["Met"] = array_of(columns, "Status", path, kind=int) == MET
     return rows
 
 

@@ -56,14 +56,6 @@ def text_of(data, name, place):
     return array.GetValue(0)
 
 
-def texts_of(attributes, name):
-    """Those of an array of texts; none where it holds something else, or there is none."""
-    array = attributes.GetAbstractArray(name)
-    if array is None or not array.IsA("vtkStringArray"):
-        return []
-    return [array.GetValue(number) for number in range(array.GetNumberOfTuples())]
-
-
 def points_of(data, place):
     """Places [n, 3]."""
     points = data.GetPoints()
