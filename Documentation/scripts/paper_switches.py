@@ -4,10 +4,14 @@ cost less, one switch at a time, and prints a table.
 
     pvpython paper_switches.py SCENE FOLDER [NAME...]      names: those of SWITCHES; default: all
 
-A run is kept in FOLDER/NAME and taken from there when it is there; FOLDER must be. Each is held against `as it is`, the closed
-box against `open box`: both plan with a database of three simulations of the same random forces, which takes 7 GB. Twice the
-lattice takes 4 GB and a quarter of an hour or more.
+A run is kept in FOLDER/NAME and taken from there when it is there, as is the database of a box; one that was stopped goes on.
+FOLDER must be. Each is held against `as it is`, the closed box against `open box`: both plan with a database of three simulations
+of the same random forces, which takes 7 GB. Twice the lattice takes 4 GB, and half an hour of processor time or more.
+
+A second table has what the first solve for the fields does in those that have the fields alone otherwise (FIELDS). Until then
+their motion is the same to the bit.
 """
+import csv
 import json
 import math
 import pathlib
@@ -31,9 +35,11 @@ SWITCHES = {  # what is set of which stage
     "ridge x 0.1": {"Spacetime": {"FieldRidge": 0.005}},
     "lattice x 2": {"Spacetime": {"WindCells": 10}},
 }
+FIELDS = ("as it is", "ridge x 0.1", "lattice x 2")
 ROWS = ("hidden_hand", "hidden_hand_gas", "replay", "life_velocity", "life_acceleration", "exact")
 COLUMNS = ("run", "E", "E2", "fields explain: solved for, left out", "model residual: objects, gas", "forward replay",
            "variance v; a", "exact", "turned by, rad/s", "CPU s")
+FIRST = ("run", "E before, after the first solve", "Ev left by it: all, objects")
 
 
 def make_database(path, settings):
@@ -49,13 +55,14 @@ def make_database(path, settings):
 
 
 def fly(scene, folder, settings):
-    if (folder / "report.json").exists():
+    if (folder / "report.json").exists() and not json.loads((folder / "report.json").read_text(encoding="utf-8"))["stoppedEarly"]:
         return
     database = None
     if "Smoke" in settings:
         database = folder.with_name(f"{folder.name}.vtm")
-        make_database(database, settings["Smoke"])
-    waft.synthesize(scene, output=folder, database=database, quality="paper", _settings=settings).delete()
+        if not database.exists():
+            make_database(database, settings["Smoke"])
+    waft.synthesize(scene, output=folder, database=database, quality="paper", resume=folder.exists(), _settings=settings).delete()
 
 
 def turning(folder):
@@ -66,10 +73,22 @@ def turning(folder):
     return (sum(squares) / len(squares)) ** 0.5
 
 
+def convergence(folder):
+    with open(folder / "convergence.csv", newline="", encoding="utf-8") as stream:
+        return list(csv.DictReader(stream))
+
+
+def first_solve(name, folder):
+    lines = convergence(folder)
+    solve = next(n for n, line in enumerate(lines) if line["Stage"].startswith("fields"))
+    before, after = ({key: float(line[key]) for key in ("E", "Ev", "EvObjects")} for line in lines[solve - 1:solve + 1])
+    left = ", ".join(f"{after[key] / before[key]:.3f}" for key in ("Ev", "EvObjects"))
+    return f"| {name} | {before['E']:.3g}, {after['E']:.3g} | {left} |"
+
+
 def row(name, folder):
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    last = (folder / "convergence.csv").read_text(encoding="utf-8").splitlines()
-    e2 = float(last[-1].split(",")[last[0].split(",").index("E2")])
+    e2 = float(convergence(folder)[-1]["E2"])
     found = {entry.key: entry.value for entry in waft.measure(folder)[0].rows}
     figures = ["-" if math.isnan(found.get(key, math.nan)) else f"{found[key]:.2g}" for key in ROWS]
     seconds = sum(stage["processorSeconds"] for stage in report["stages"].values())
@@ -79,13 +98,22 @@ def row(name, folder):
     return "| " + " | ".join(cells) + " |"
 
 
+def head(columns):
+    print("| " + " | ".join(columns) + " |")
+    print("|" + "---|" * len(columns))
+
+
 def main(scene, folder, *names):
-    print("| " + " | ".join(COLUMNS) + " |")
-    print("|" + "---|" * len(COLUMNS))
-    for name in names or SWITCHES:
-        place = pathlib.Path(folder) / name
-        fly(scene, place, SWITCHES[name])
-        print(row(name, place), flush=True)
+    names = names or SWITCHES
+    folder = pathlib.Path(folder)
+    head(COLUMNS)
+    for name in names:
+        fly(scene, folder / name, SWITCHES[name])
+        print(row(name, folder / name), flush=True)
+    print()
+    head(FIRST)
+    for name in filter(FIELDS.__contains__, names):
+        print(first_solve(name, folder / name))
 
 
 if __name__ == "__main__":

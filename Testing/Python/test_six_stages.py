@@ -108,7 +108,7 @@ class SixStagesTest(unittest.TestCase):
         script = runpy.run_path(str(SOURCE / "Documentation" / "scripts" / "paper_switches.py"))
         script["SWITCHES"]["windows"]["Spacetime"]["WindowLength"] = 20
         script["SWITCHES"]["lattice x 2"]["Spacetime"]["WindCells"] = 7
-        poses = {}
+        poses, left = {}, {}
         for name, settings in script["SWITCHES"].items():
             short = {"Spacetime": {**six_stages_small.SHORT, **settings.get("Spacetime", {})}}
             if "Smoke" in settings:
@@ -119,7 +119,14 @@ class SixStagesTest(unittest.TestCase):
             cells = script["row"](name, folder).strip("| ").split(" | ")
             self.assertEqual(len(script["COLUMNS"]), len(cells), name)
             self.assertLess(float(cells[script["COLUMNS"].index("exact")]), 1e-12, name)
+            if name in script["FIELDS"]:
+                cells = script["first_solve"](name, folder).strip("| ").split(" | ")
+                self.assertEqual(len(script["FIRST"]), len(cells), name)
+                left[name] = float(cells[2].split(", ")[0])
         self.assertEqual(len(poses), len(set(poses.values())))
+        self.assertEqual(tuple(left), script["FIELDS"])
+        self.assertLessEqual(left["ridge x 0.1"], left["as it is"])
+        self.assertLess(left["lattice x 2"], left["as it is"])
 
     def test_the_user_guide_quotes_it(self):
         guide = (SOURCE / "Documentation" / "UserGuide.md").read_text(encoding="utf-8")
