@@ -46,11 +46,13 @@ constexpr Rgb Hot{ 255, 255, 255 };
 Rgb ColorOf(const QString& kind)
 {
   static const std::map<QString, Rgb> colors = {
-    { "start", { 70, 150, 235 } },   { "mark", { 235, 150, 40 } },
-    { "rest", { 160, 110, 60 } },    { "target", { 235, 200, 60 } },
-    { "targets", { 235, 200, 60 } }, { "obstacle", { 175, 120, 205 } },
+    { "start", { 70, 150, 235 } },     { "region", { 70, 150, 235 } },
+    { "mark", { 235, 150, 40 } },      { "rest", { 160, 110, 60 } },
+    { "target", { 235, 200, 60 } },    { "targets", { 235, 200, 60 } },
+    { "obstacle", { 175, 120, 205 } }, { "vortex", { 60, 190, 150 } },
+    { "wind", { 120, 215, 235 } },
   };
-  const auto found = colors.find(kind);
+  const auto found = colors.find(kind.section(' ', -1)); // a corner is of its region
   return found != colors.end() ? found->second : Hot;
 }
 
@@ -222,8 +224,20 @@ void WaftEditor::Fill()
     colors->InsertNextTypedTuple((isHot ? Hot : ColorOf(handle.Kind)).data());
     ++index;
   }
+  vtkNew<vtkCellArray> lines;
+  for (const vtkVector3d& end : this->Handles.Outlines())
+  {
+    const vtkIdType point = places->InsertNextPoint(end.GetData());
+    colors->InsertNextTypedTuple(Hot.data());
+    if (point % 2 != index % 2)
+    {
+      const vtkIdType line[2] = { point - 1, point };
+      lines->InsertNextCell(2, line);
+    }
+  }
   this->Points->SetPoints(places);
   this->Points->SetVerts(dots);
+  this->Points->SetLines(lines);
   this->Points->GetPointData()->SetScalars(colors);
 }
 
@@ -326,7 +340,8 @@ void WaftEditor::onPress(vtkObject*, unsigned long, void*, void*, vtkCommand* co
     command->AbortFlagOn();
     const int frame = this->FrameShown();
     const vtkVector3d place =
-      this->Handles.WithinVolume(this->UnderPointer(this->Handles.About(this->Body, frame)));
+      waft::Clamped(this->UnderPointer(this->Handles.About(this->Body, frame)), this->Handles.Min,
+                    this->Handles.Max);
     this->Apply(QString("New mark of body %1 at frame %2").arg(this->Body).arg(frame),
                 waft::NewMark(this->Handles, this->Body, frame, place));
     Q_EMIT this->placed();
@@ -357,7 +372,7 @@ void WaftEditor::onMove(vtkObject*, unsigned long, void*, void*, vtkCommand* com
   {
     place[axis] += now[axis] - this->Start[axis];
   }
-  handle.Place = this->Handles.WithinVolume(place);
+  handle.Place = waft::Clamped(place, handle.Least, handle.Most);
   this->Draw();
 }
 

@@ -7,6 +7,10 @@
 #include <vtkSMProxy.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMTrace.h>
+#include <vtkVersionMacros.h>
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+#include <vtkVectorOperators.h> // of vtkVector.h itself since then
+#endif
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -65,12 +69,22 @@ QString Handle::Text() const
   return text + (this->Frame > 0 ? QString(" at frame %1").arg(this->Frame) : QString());
 }
 
-vtkVector3d SceneHandles::WithinVolume(const vtkVector3d& place) const
+vtkVector3d Handle::Shift() const
+{
+  vtkVector3d before(0.0, 0.0, 0.0);
+  for (const vtkVector3d& point : this->Moves)
+  {
+    before = before + point * (1.0 / static_cast<double>(this->Moves.size()));
+  }
+  return this->Place - before;
+}
+
+vtkVector3d Clamped(const vtkVector3d& place, const vtkVector3d& least, const vtkVector3d& most)
 {
   vtkVector3d within;
   for (int axis = 0; axis < 3; ++axis)
   {
-    within[axis] = std::clamp(place[axis], this->Min[axis], this->Max[axis]);
+    within[axis] = std::clamp(place[axis], least[axis], most[axis]);
   }
   return within;
 }
@@ -113,6 +127,43 @@ vtkVector3d SceneHandles::About(int object, int frame) const
   return middle;
 }
 
+std::vector<vtkVector3d> SceneHandles::Outlines() const
+{
+  std::vector<vtkVector3d> points;
+  for (std::size_t i = 1; i + 1 < this->All.size(); ++i)
+  {
+    const bool isBox = this->All[i].Kind.startsWith("corner");
+    if (this->All[i].Kind != this->All[i + 1].Kind ||
+        !(isBox || this->All[i].Kind == "end of vortex"))
+    {
+      continue;
+    }
+    const vtkVector3d shift = this->All[i - 1].Shift();
+    const vtkVector3d low = this->All[i].Place + shift, high = this->All[i + 1].Place + shift;
+    const auto corner = [&](int number) // a bit an axis
+    {
+      return vtkVector3d((number & 1) != 0 ? high[0] : low[0], (number & 2) != 0 ? high[1] : low[1],
+                         (number & 4) != 0 ? high[2] : low[2]);
+    };
+    for (int from = 0; from < 8 && isBox; ++from)
+    {
+      for (const int bit : { 1, 2, 4 })
+      {
+        if ((from & bit) == 0)
+        {
+          points.insert(points.end(), { corner(from), corner(from | bit) });
+        }
+      }
+    }
+    if (!isBox)
+    {
+      points.insert(points.end(), { low, high });
+    }
+    ++i;
+  }
+  return points;
+}
+
 int SceneHandles::MarkOf(int object, int frame) const
 {
   const auto found = std::find_if(this->All.begin(), this->All.end(),
@@ -149,6 +200,8 @@ SceneHandles HandlesOf(vtkSMProxy* source)
     handle.Object = one["object"].toInt(-1);
     handle.Frame = one["frame"].toInt(-1);
     handle.Place = PointOf(one["place"]);
+    handle.Least = one.contains("least") ? PointOf(one["least"]) : handles.Min;
+    handle.Most = one.contains("most") ? PointOf(one["most"]) : handles.Max;
     const QJsonObject moves = one["moves"].toObject();
     for (auto move = moves.begin(); move != moves.end(); ++move)
     {

@@ -18,15 +18,21 @@ namespace waft
 /// A place of a scene, and the points of its file that go along (by JSON pointers).
 struct Handle
 {
-  QString Kind; // start, mark, rest, target, targets, obstacle
+  QString Kind; // as waft::DescribeHandles has it
   int Object = -1;
   int Frame = -1;
   vtkVector3d Place;
   QMap<QString, vtkVector3d> Moves;
+  vtkVector3d Least, Most; // where it may be
 
   /// "mark of body 3 at frame 95"
   QString Text() const;
+  /// How far it is dragged from where its points are.
+  vtkVector3d Shift() const;
 };
+
+/// A place in a box, or the nearest of it.
+vtkVector3d Clamped(const vtkVector3d& place, const vtkVector3d& least, const vtkVector3d& most);
 
 /// Those of a Waft Animation.
 struct SceneHandles
@@ -38,10 +44,12 @@ struct SceneHandles
   int LastObject = -1;
   bool HasConstraints = false;
 
-  vtkVector3d WithinVolume(const vtkVector3d& place) const;
   /// Where a body is about at a frame, by its start and marks; the middle of the volume where
   /// nothing says so.
   vtkVector3d About(int object, int frame) const;
+  /// What regions, boxes and vortices are as they are dragged: points, of which every second ends
+  /// a line.
+  std::vector<vtkVector3d> Outlines() const;
   /// The index of a body's mark at a frame; -1: it has none.
   int MarkOf(int object, int frame) const;
 };

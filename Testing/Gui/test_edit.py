@@ -3,6 +3,7 @@
 
     test_edit.py PARAVIEW XVFB PLUGINS MODULES"""
 import itertools
+import json
 import pathlib
 import re
 import sys
@@ -10,6 +11,8 @@ import tempfile
 import unittest
 
 from window import play
+
+NUMBERS = r"-?[0-9.]+(e-?[0-9]+)?"
 
 
 class EditTest(unittest.TestCase):
@@ -47,15 +50,23 @@ class EditTest(unittest.TestCase):
             self.assertEqual((first["bodies"][0], first["bodies"][2]), (others["bodies"][0], others["bodies"][2]))
         self.assertEqual((again["edits"], again["bodies"]), (dragged["edits"], dragged["bodies"]))
 
+    def test_a_corner_makes_its_box_larger(self):
+        edits = self.flown[4]["edits"]
+        self.assertEqual(edits[:1], self.flown[3]["edits"])
+        self.assertEqual((len(edits), edits[1]["op"], edits[1]["path"]), (2, "replace", "/obstacles/0/max"))
+        x, y, z = edits[1]["value"]
+        self.assertTrue(1.5 < x <= 2 and 1 < z < 2, (x, z))
+        self.assertAlmostEqual(y, 1.5, places=3)
+
     def test_the_scene_is_saved_in_its_own_words(self):
-        value = self.flown[1]["edits"][0]["value"]
-        was, now = self.saved["was"], self.saved["saved"]
-        begin = was.index("[0.1, 0.1, 1.90]")
-        self.assertEqual(now[:begin], was[:begin])
-        place = re.match(r"\[(.*?), (.*?), (.*?)\]", now[begin:])
-        self.assertEqual([float(number) for number in place.groups()], value)
-        self.assertEqual(now[begin + place.end():], was[begin + len("[0.1, 0.1, 1.90]"):])
-        self.assertEqual((self.flown[4]["edits"], self.flown[4]["bodies"]), ([], self.flown[3]["bodies"]), "nothing is flown again")
+        wanted = self.saved["was"]
+        for was, edit in zip(("[0.1, 0.1, 1.90]", "[1.5, 1.5, 1]"), self.flown[4]["edits"]):
+            wanted = wanted.replace(was, str(edit["value"]))
+        self.assertEqual(json.loads(self.saved["saved"]), json.loads(wanted))
+        self.assertEqual(re.sub(NUMBERS, "", self.saved["saved"]), re.sub(NUMBERS, "", wanted), "blanks and comments as well")
+        for kept in ("2e-1", "-0.60", "1.8]", "[1.2, 1.2, 0]"):
+            self.assertIn(kept, self.saved["saved"])
+        self.assertEqual((self.flown[5]["edits"], self.flown[5]["bodies"]), ([], self.flown[4]["bodies"]), "nothing is flown again")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; once it is
-planned, puts the camera before the mark of body 1, so that it is in the middle of the picture; notes, whenever the work is done, the
-edits and the bytes of each body's path; ends ParaView when the scene was saved. A pause of an event script lets no work go on, so that
-the scene is planned alone, which is one slice (Python.Edits flies)."""
+planned, puts the camera before the mark of body 1, so that it is in the middle of the picture, and before a corner of the box when that
+mark was moved again; notes, whenever the work is done, the edits and the bytes of each body's path; ends ParaView when the scene was
+saved. A pause of an event script lets no work go on, so that the scene is planned alone, which is one slice (Python.Edits flies)."""
 import hashlib
 import json
 import os
@@ -44,9 +44,17 @@ def write(**line):
     log.flush()
 
 
-def was_edited():
+def number_of_notes():
     with open(os.environ["WAFT_GUI_LOG"], encoding="utf-8") as lines:
-        return sum(1 for _ in lines) > 1
+        return sum(1 for _ in lines)
+
+
+def look_at(place):
+    """It comes to the middle of the picture, seen along y."""
+    view.CameraFocalPoint = place
+    view.CameraPosition = [place[0], place[1] - 5, place[2]]
+    view.CameraViewUp = [0, 0, 1]
+    simple.Render(view)
 
 
 def look(animation):
@@ -61,11 +69,10 @@ def look(animation):
     if (edits, bytes_of) != seen:
         seen = (edits, bytes_of)
         write(edits=json.loads(edits or "[]"), bodies=bytes_of, at=places[1, 70].tolist(), processor=time.process_time())
-    if seen[0] in (None, "") and not was_edited():  # the window frames what comes first
-        view.CameraFocalPoint = [0.1, 0.1, 1.9]
-        view.CameraPosition = [0.1, -4.9, 1.9]
-        view.CameraViewUp = [0, 0, 1]
-        simple.Render(view)
+    if seen[0] in (None, "") and number_of_notes() <= 1:  # the window frames what comes first
+        look_at([0.1, 0.1, 1.9])
+    elif len(json.loads(seen[0] or "[]")) == 1 and number_of_notes() >= 4:  # done again
+        look_at([1.5, 1.5, 1])
 
 
 def note(*_):

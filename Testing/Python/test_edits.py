@@ -82,8 +82,34 @@ class EditTest(unittest.TestCase):
         self.animation.SMProxy.UpdatePropertyInformation()
         scene = json.loads(self.animation.SMProxy.GetProperty("Handles").GetElement(0))
         kinds = [handle["kind"] for handle in scene["handles"]]
-        self.assertEqual(kinds, 3 * ["start"] + 3 * ["mark"] + ["obstacle"])
+        self.assertEqual(kinds, 3 * ["start"] + 3 * ["mark"] + ["obstacle"] + 2 * ["corner of obstacle"])
         self.assertEqual(scene["handles"][4]["place"], [0.3, 0.2, 1.6])
+
+    def test_regions_vortices_and_winds_are_moved_and_saved(self):
+        written = SCENE.replace('"positions": [[-0.60, -0.5, 2.6], [0.4, 0.3, 2.8], [0.8, -0.6, 2.7]]',
+                                '"count": 3, "region": {"min": [-1, -1, 2.50], "max": [1, 1, 3.5]}')
+        written = written.replace('"obstacles"', '"vortices": [{"p1": [0, 0, 1.0], "p2": [0, 0, 3], "strength": 2}],\n  "winds": [{"direction": '
+                                  '[1, 0, 0], "strength": 1, "center": [0, 1, 2], "radius": 1}],\n  "obstacles"')
+        self.file.write_text(written, encoding="utf-8")
+        self.animation.StopAfter = "Plan"
+        waft.update(self.animation)
+        starts = [self.animation.GetClientSideObject().GetOutputDataObject(3).GetPoint(k) for k in range(3)]
+        self.animation.Edits = json.dumps([replace("/objects/0/region/max", [-0.5, -0.5, 3.0]), replace("/vortices/0/p1", [0.5, 0, 1]),
+                                           replace("/winds/0/center", [0, -1, 2])])
+        waft.update(self.animation)
+        moved = [self.animation.GetClientSideObject().GetOutputDataObject(3).GetPoint(k) for k in range(3)]
+        self.assertGreater(max(max(start[:2]) for start in starts), -0.5)
+        self.assertLessEqual(max(max(start[:2]) for start in moved), -0.5)
+        self.animation.SMProxy.UpdatePropertyInformation()
+        handles = json.loads(self.animation.SMProxy.GetProperty("Handles").GetElement(0))["handles"]
+        places = {kind: [handle["place"] for handle in handles if handle["kind"] == kind] for kind in
+                  ("region", "corner of region", "vortex", "end of vortex", "wind")}
+        self.assertEqual(places, {"region": [[-0.75, -0.75, 2.75]], "corner of region": [[-1, -1, 2.5], [-0.5, -0.5, 3]],
+                                  "vortex": [[0.25, 0, 2]], "end of vortex": [[0.5, 0, 1], [0, 0, 3]], "wind": [[0, -1, 2]]})
+        self.animation.SMProxy.InvokeCommand("SaveScene")
+        self.assertEqual(self.file.read_text(encoding="utf-8"),
+                         written.replace('"max": [1, 1, 3.5]', '"max": [-0.5, -0.5, 3.0]').replace('"p1": [0, 0, 1.0]', '"p1": [0.5, 0, 1]')
+                         .replace('"center": [0, 1, 2]', '"center": [0, -1, 2]'))
 
     def test_saving_changes_what_was_edited_alone(self):
         after, _ = self.edit(replace("/constraints/1/value", [0.3, 0.2, 1.6]))

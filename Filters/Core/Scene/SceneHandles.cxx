@@ -9,6 +9,8 @@ namespace waft
 namespace
 {
 
+constexpr double Thinnest = 0.02; // m, that a hand makes a box
+
 class HandleList
 {
 public:
@@ -22,11 +24,13 @@ public:
     SceneJson made;
     made["min"] = has("domain", "min", ListOf(none.Bounds.Min));
     made["max"] = has("domain", "max", ListOf(none.Bounds.Max));
+    this->Volume = { PointOf(made["min"]), PointOf(made["max"]) };
     made["frames"] = has("time", "frames", none.Time.NumberOfFrames);
     made["framesPerSecond"] = has("time", "framesPerSecond", none.Time.FramesPerSecond);
     this->AddObjects();
     this->AddConstraints();
     this->AddObstacles();
+    this->AddForces();
     made["hasConstraints"] = this->Root.contains("constraints");
     made["lastObject"] = this->LastId;
     made["handles"] = std::move(this->Handles);
@@ -35,6 +39,14 @@ public:
 
 private:
   static SceneJson ListOf(const Vec3& v) { return SceneJson::array({ v.x(), v.y(), v.z() }); }
+  static Vec3 PointOf(const SceneJson& list)
+  {
+    return Vec3(list[0].get<double>(), list[1].get<double>(), list[2].get<double>());
+  }
+  Vec3 PointAt(const std::string& pointer) const
+  {
+    return PointOf(this->Root.at(SceneJson::json_pointer(pointer)));
+  }
 
   /// pointers: of the points that go along; the handle is in the middle of them.
   void Add(const char* kind, int object, int frame, const std::vector<std::string>& pointers)
@@ -43,15 +55,28 @@ private:
     SceneJson moves = SceneJson::object();
     for (const std::string& pointer : pointers)
     {
-      const SceneJson& point = this->Root.at(SceneJson::json_pointer(pointer));
-      moves[pointer] = point;
-      middle += Vec3(point[0], point[1], point[2]) / static_cast<double>(pointers.size());
+      moves[pointer] = this->Root.at(SceneJson::json_pointer(pointer));
+      middle += this->PointAt(pointer) / static_cast<double>(pointers.size());
     }
     this->Handles.push_back({ { "kind", kind },
                               { "object", object },
                               { "frame", frame },
                               { "place", ListOf(middle) },
                               { "moves", std::move(moves) } });
+  }
+
+  /// The two corners of a box, which stay in the volume, or as far out as they are, and apart.
+  void AddCorners(const char* kind, const std::string& box)
+  {
+    const std::string lower = box + "/min", upper = box + "/max";
+    const Vec3 low = this->PointAt(lower), high = this->PointAt(upper);
+    const Vec3 thin = Vec3::Constant(Thinnest);
+    this->Add(kind, -1, -1, { lower });
+    this->Handles.back()["least"] = ListOf(low.cwiseMin(this->Volume.Min));
+    this->Handles.back()["most"] = ListOf(low.cwiseMax(high - thin));
+    this->Add(kind, -1, -1, { upper });
+    this->Handles.back()["least"] = ListOf(high.cwiseMin(low + thin));
+    this->Handles.back()["most"] = ListOf(high.cwiseMax(this->Volume.Max));
   }
 
   void AddObjects()
@@ -65,6 +90,8 @@ private:
       if (entry.contains("count"))
       {
         count += entry["count"].get<int>();
+        this->Add("region", -1, 0, { pointer + "/region/min", pointer + "/region/max" });
+        this->AddCorners("corner of region", pointer + "/region");
       }
       else if (entry.contains("positions"))
       {
@@ -119,7 +146,7 @@ private:
     }
   }
 
-  /// Of the form of each, the points that say where it is.
+  /// Of the form of each, the points that say where it is, and those that say how large.
   void AddObstacles()
   {
     const SceneJson entries = this->Root.value("obstacles", SceneJson::array());
@@ -141,10 +168,48 @@ private:
       {
         this->Add("obstacle", -1, -1, pointers);
       }
+      if (entries[i].contains("min"))
+      {
+        this->AddCorners("corner of obstacle", "/obstacles/" + std::to_string(i));
+      }
+      else if (entries[i].contains("base"))
+      {
+        this->AddEnds("end of obstacle", pointers);
+      }
+    }
+  }
+
+  void AddEnds(const char* kind, const std::vector<std::string>& pointers)
+  {
+    for (const std::string& pointer : pointers)
+    {
+      this->Add(kind, -1, -1, { pointer });
+    }
+  }
+
+  /// Vortices, and winds that have a place.
+  void AddForces()
+  {
+    const std::size_t vortices = this->Root.value("vortices", SceneJson::array()).size();
+    for (std::size_t i = 0; i < vortices; ++i)
+    {
+      const std::string pointer = "/vortices/" + std::to_string(i);
+      const std::vector<std::string> ends = { pointer + "/p1", pointer + "/p2" };
+      this->Add("vortex", -1, -1, ends);
+      this->AddEnds("end of vortex", ends);
+    }
+    const SceneJson winds = this->Root.value("winds", SceneJson::array());
+    for (std::size_t i = 0; i < winds.size(); ++i)
+    {
+      if (winds[i].contains("center"))
+      {
+        this->Add("wind", -1, -1, { "/winds/" + std::to_string(i) + "/center" });
+      }
     }
   }
 
   const SceneJson& Root;
+  Box Volume;
   SceneJson Handles = SceneJson::array();
   int LastId = -1;
 };

@@ -144,14 +144,67 @@ TEST(SceneEdits, NamesWhatAHandMayMove)
                    handle["frame"].dump() + " " + handle["moves"].begin().key());
   }
   const std::vector<std::string> wanted = {
-    "start 0 0 /objects/0/position",    "start 1 0 /objects/1/positions/0",
-    "start 2 0 /objects/1/positions/1", "mark 0 95 /constraints/0/value",
-    "rest 1 200 /constraints/1/value",  "targets -1 250 /constraints/2/targets/origin",
+    "start 0 0 /objects/0/position",
+    "start 1 0 /objects/1/positions/0",
+    "start 2 0 /objects/1/positions/1",
+    "mark 0 95 /constraints/0/value",
+    "rest 1 200 /constraints/1/value",
+    "targets -1 250 /constraints/2/targets/origin",
     "obstacle -1 -1 /obstacles/0/max",
+    "corner of obstacle -1 -1 /obstacles/0/min",
+    "corner of obstacle -1 -1 /obstacles/0/max",
   };
   EXPECT_EQ(seen, wanted);
-  EXPECT_EQ(all["handles"].back()["place"], Json({ 0.5, 0.5, 0.5 }));
-  EXPECT_EQ(all["handles"].back()["moves"].size(), 2u);
+  const Json& obstacle = all["handles"][6];
+  EXPECT_EQ(obstacle["place"], Json({ 0.5, 0.5, 0.5 }));
+  EXPECT_EQ(obstacle["moves"].size(), 2u);
+}
+
+TEST(SceneEdits, RegionsVorticesAndWindsHavePlacesAndSizes)
+{
+  const std::string scene = R"({"waft": 1, "objects": [
+    {"shape": "leaf", "count": 3, "region": {"min": [-1, -1, 2.5], "max": [1, 1, 3.5]}}, {"shape": "leaf", "position": [0, 0, 3]}],
+    "obstacles": [{"kind": "box", "min": [-3, -0.5, 0], "max": [0, 0.5, 0.01]},
+                  {"kind": "cylinder", "base": [1, 1, 0], "top": [1, 1, 1], "radius": 0.1}],
+    "vortices": [{"p1": [0, 0, 1], "p2": [0, 1, 3], "strength": 1}],
+    "winds": [{"direction": [1, 0, 0], "strength": 1, "center": [0, 0, 2], "radius": 1}, {"file": "w.vti"}]})";
+  std::string text;
+  ASSERT_TRUE(DescribeHandles(scene, "s", text));
+  const Json all = Json::parse(text);
+  std::vector<std::string> kinds;
+  for (const Json& handle : all["handles"])
+  {
+    kinds.push_back(handle["kind"]);
+  }
+  const std::vector<std::string> wanted = { "region",
+                                            "corner of region",
+                                            "corner of region",
+                                            "start",
+                                            "obstacle",
+                                            "corner of obstacle",
+                                            "corner of obstacle",
+                                            "obstacle",
+                                            "end of obstacle",
+                                            "end of obstacle",
+                                            "vortex",
+                                            "end of vortex",
+                                            "end of vortex",
+                                            "wind" };
+  EXPECT_EQ(kinds, wanted);
+  EXPECT_EQ(all["handles"][0]["place"], Json({ 0.0, 0.0, 3.0 }));
+  EXPECT_EQ(all["handles"][3]["object"], 3);
+  EXPECT_EQ(all["handles"][10]["place"], Json({ 0.0, 0.5, 2.0 }));
+  EXPECT_EQ(all["handles"][11]["moves"], Json({ { "/vortices/0/p1", { 0, 0, 1 } } }));
+  // The volume is from -2, -2, 0 to 2, 2, 4.
+  EXPECT_EQ(all["handles"][1]["least"], Json({ -2.0, -2.0, 0.0 }));
+  EXPECT_EQ(all["handles"][1]["most"], Json({ 1 - 0.02, 1 - 0.02, 3.5 - 0.02 }));
+  EXPECT_EQ(all["handles"][2]["least"], Json({ -1 + 0.02, -1 + 0.02, 2.5 + 0.02 }));
+  EXPECT_EQ(all["handles"][2]["most"], Json({ 2.0, 2.0, 4.0 }));
+  // A corner out of the volume may stay there, and a box that is thinner may stay as thin.
+  EXPECT_EQ(all["handles"][5]["least"], Json({ -3.0, -2.0, 0.0 }));
+  EXPECT_EQ(all["handles"][5]["most"], Json({ 0 - 0.02, 0.5 - 0.02, 0.0 }));
+  EXPECT_EQ(all["handles"][6]["least"], Json({ -3 + 0.02, -0.5 + 0.02, 0.01 }));
+  EXPECT_FALSE(all["handles"][3].contains("least"));
 }
 
 TEST(SceneEdits, EveryHandleOfTheScenesCanBeMoved)
