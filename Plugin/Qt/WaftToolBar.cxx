@@ -6,6 +6,7 @@
 #include "WaftFly.h"
 #include "WaftHold.h"
 #include "WaftMenu.h"
+#include "WaftRemarks.h"
 #include "WaftStages.h"
 
 #include <pqApplicationCore.h>
@@ -38,6 +39,7 @@ constexpr qint64 BetweenPictures = 500; // ms
 constexpr qint64 WorkPerPicture = 9;    // of the time that a picture takes, at least
 constexpr int BarSteps = 1000;
 constexpr int BarWidth = 420; // pixels
+constexpr int BarMargin = 12;
 constexpr double Minute = 60.0;
 
 /// What is left of a work, as a person says it.
@@ -60,7 +62,7 @@ double SessionTime()
 
 WaftToolBar::WaftToolBar(QWidget* parent) :
   QToolBar("Waft", parent), Camera(new WaftCamera(this)), Check(new WaftCheck(this)),
-  Fly(new WaftFly(this)), Hold(new WaftHold(this))
+  Fly(new WaftFly(this)), Hold(new WaftHold(this)), Remarks(new WaftRemarks(this))
 {
   this->setObjectName("WaftToolBar");
   auto* fly = this->AddButton("Fly", {}, {});
@@ -130,8 +132,10 @@ void WaftToolBar::onSourceMade(pqPipelineSource* source)
   if (this->Now == State::Resting &&
       std::string(source->getProxy()->GetXMLName()) == "MotionSceneReader")
   {
-    this->Bar->setFormat("To fly a scene: File > Open, or Sources > Waft > Waft Animation");
+    const QString way = "To fly a scene: File > Open, or Sources > Waft > Waft Animation";
+    this->Say(way, way);
   }
+  this->Remarks->ListenTo(source->getProxy());
   waft::WorkInSlices(source->getProxy());
 }
 
@@ -141,6 +145,7 @@ void WaftToolBar::onSourceAdded(pqPipelineSource* source)
   const pqUndoStack* steps = core->getUndoStack();
   if (core->isLoadingState() || (steps != nullptr && (steps->getInUndo() || steps->getInRedo())))
   {
+    this->Remarks->ListenTo(source->getProxy());
     waft::WorkInSlices(source->getProxy());
   }
 }
@@ -254,8 +259,14 @@ void WaftToolBar::onGoOn()
 
 void WaftToolBar::onRefused(const QString& why)
 {
-  this->Bar->setFormat("nothing flies: " + why);
-  this->Bar->setToolTip(this->Bar->format());
+  this->Say("nothing flies: " + why, "nothing flies: " + why);
+}
+
+void WaftToolBar::Say(const QString& line, const QString& whole)
+{
+  this->Bar->setFormat(
+    this->Bar->fontMetrics().elidedText(line, Qt::ElideRight, BarWidth - BarMargin));
+  this->Bar->setToolTip(whole);
 }
 
 void WaftToolBar::Show(State state, const waft::WorkOfStages& work)
@@ -264,19 +275,25 @@ void WaftToolBar::Show(State state, const waft::WorkOfStages& work)
   this->Now = state;
   this->Stop->setEnabled(state == State::Working);
   this->GoOn->setEnabled(state == State::Stopped);
-  this->Bar->setEnabled(state != State::Resting);
+  this->Bar->setEnabled(state != State::Resting || !this->Remarks->Line().isEmpty());
   if (state == State::Resting)
   {
-    this->Bar->setValue(before != state ? BarSteps : this->Bar->value());
-    this->Bar->setFormat(before != state ? "done" : this->Bar->format());
+    const bool isNew = this->Remarks->TakeNews();
+    if (before != state || isNew)
+    {
+      this->Bar->setValue(BarSteps);
+      const QString remark = this->Remarks->Line();
+      this->Say(remark.isEmpty() ? QString("done") : "done; " + remark, this->Remarks->All());
+    }
     return;
   }
   if (before == State::Resting)
   {
+    this->Remarks->Clear();
     this->SincePicture.start(); // Apply has drawn
   }
   const QString left = TimeLeft(work.SecondsLeft);
+  const QString line = state == State::Stopped ? "stopped: " + work.Message : work.Message + left;
   this->Bar->setValue(static_cast<int>(std::lround(BarSteps * std::clamp(work.Done, 0.0, 1.0))));
-  this->Bar->setFormat(state == State::Stopped ? "stopped: " + work.Message : work.Message + left);
-  this->Bar->setToolTip(this->Bar->format());
+  this->Say(line, line);
 }

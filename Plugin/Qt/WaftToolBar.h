@@ -13,6 +13,7 @@ class WaftCamera;
 class WaftCheck;
 class WaftFly;
 class WaftHold;
+class WaftRemarks;
 class pqPipelineSource;
 
 namespace waft
@@ -61,6 +62,8 @@ private:
   /// Shows what the work has come to.
   void TakePicture();
   void Show(State state, const waft::WorkOfStages& work);
+  /// A line in the bar, as far as it has room, and all of it as its tip.
+  void Say(const QString& line, const QString& whole);
   /// Renders all views.
   void Draw();
 
@@ -69,6 +72,7 @@ private:
   WaftFly* Fly;
   QTimer Timer;
   WaftHold* Hold;
+  WaftRemarks* Remarks;
   QElapsedTimer SincePicture;
   qint64 PictureTook = 0; // ms, the last time
   QToolButton* Stop;

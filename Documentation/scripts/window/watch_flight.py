@@ -87,20 +87,17 @@ def look():
         draw_all()
         if first is not None:
             first()
-        if name is not None:
-            screen.save(os.path.join(FOLDER, name + ".png"), step=2)
+        screen.save(os.path.join(FOLDER, name + ".png"), step=2)
         STEPS.pop(0)
         if then is not None:
             then()
 
 
-# Name of a picture (None: there is none), when the window has come to it, and what is done before and after it is taken.
+# Name of a picture, when the window has come to it, and what is done before and after it is taken.
 STEPS = [("window_open", has_bodies, None, play_to_mark),
          ("window_edit", lambda animation: layer_size() > without_handles, show_handle, None),
-         (None, lambda animation: edits(animation) == 1, keep_screen, None),
-         ("window_dragged", lambda animation: is_another_window(), None, play_on),
-         (None, lambda animation: edits(animation) == 2, keep_screen, None),
-         ("window_marked", lambda animation: is_another_window(), keep_screen, None),
+         ("window_dragged", lambda animation: edits(animation) == 1, None, play_on),
+         ("window_marked", lambda animation: edits(animation) == 2, keep_screen, None),
          ("window_help", lambda animation: is_another_window(), None, None)]
 without_handles = layer_size()
 kept = None  # what the screen showed
