@@ -26,7 +26,7 @@ def effort(events):
             clicks += 3
         elif command in ("activate", "set_boolean", "mousePress"):
             clicks += 1
-        elif command != "mouseRelease":
+        elif command not in ("mouseRelease", "pause"):
             raise ValueError(f"what {command} takes is not known")
     return clicks, fields
 
@@ -82,15 +82,46 @@ class WidgetTest(WindowTest):
         self.check_run(status, printed)  # the script looks at the box
         self.assertEqual([0, 2, 0, 2], notes)
 
-    def test_a_scene_by_hand_takes_few_clicks(self):
+    def test_a_scene_from_nothing_flies_after_few_clicks(self):
         with tempfile.TemporaryDirectory() as folder:
-            status, printed, notes = play("byhand.xml", pathlib.Path(folder))
+            status, printed, notes = play("byhand.xml", pathlib.Path(folder), "watch_byhand.py")
         self.check_run(status, printed)
-        self.assertEqual((notes[-1]["source"], len(notes[-1]["points"])), ("StylisticPlannerFilter", 5 * 300))
-        self.assertEqual(notes[-1]["statuses"], 5 * ["met"])
+        last, flight = notes[-1], notes[-1]["flight"]
+        self.assertEqual((flight["bodies"], flight["frames"], flight["statuses"]), (5, 300, 5 * ["met"]))
+        self.assertGreater(flight["triangles"], 5 * 100, "leaves with meshes")
+        for start, half, end in zip(flight["starts"], flight["half"], flight["ends"]):
+            self.assertEqual(start[2], 3)
+            self.assertGreater(half[2], 0.1, "in the air")
+            self.assertGreater(math.dist(start, half), 0.1)
+            self.assertLess(end[2], 1.1, "at rest on the ground or the box")
+        self.assertLess(min(flight["turned"]), 0.9, "turned")
+        self.assertEqual(last["shown"], {"Rotation": ["0:MotionBodiesRepresentation", "1:MotionFaintPathsRepresentation"],
+                                         "Assimilation": ["3:MotionMarksRepresentation"],
+                                         "ObstacleSource1": ["0:MotionObstaclesRepresentation"]})
         clicks, fields = effort((HERE / "byhand.xml").read_text(encoding="utf-8"))
-        self.assertLessEqual(clicks, 28)
+        self.assertLessEqual(clicks, 15)
         self.assertLessEqual(fields, 3)
+
+    def test_fly_says_what_is_missing_and_joins_what_is_added(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, printed, notes = play("fly.xml", pathlib.Path(folder), "watch_byhand.py", frames=30)
+        self.check_run(status, printed)  # the script looks at what the tool bar says
+        flown = [note for note in notes if note["flight"].get("statuses")]
+        one = flown[0]
+        stages = ["Assimilation", "Planner", "Rotation"]
+        self.assertEqual(one["sources"], sorted(["ConstraintSource1", "Leaf", "ObjectSource1", *stages]))
+        self.assertEqual(one["joined"]["Rotation"]["Tracks"], ["Assimilation"])
+        self.assertEqual(one["joined"]["ObjectSource1"]["Shapes"], ["Leaf"], "whose body nobody gave")
+        more = [note for note in flown if note["flight"]["bodies"] == 2]
+        self.assertEqual(more[0]["sources"], sorted([*one["sources"], "ObjectSource2", "Objects", "WindSource1"]), "no second chain")
+        self.assertEqual(more[0]["joined"]["Objects"]["Input"], ["ObjectSource1", "ObjectSource2"])
+        for stage in stages:
+            self.assertEqual(more[0]["joined"][stage]["Objects"], ["Objects"])
+        self.assertEqual(more[0]["joined"]["Assimilation"]["Wind"], ["WindSource1"])
+        coarse, fine, undone = ([note["resolution"]["Assimilation"] for note in more if len(note["sources"]) == len(more[0]["sources"])]
+                                + 3 * [None])[:3]
+        self.assertLess(coarse, fine)
+        self.assertEqual(undone, coarse)
 
     def test_a_start_is_typed_and_dragged(self):
         notes = self.of("ObjectSource")

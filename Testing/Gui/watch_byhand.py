@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs inside ParaView while an event script plays that makes a scene and flies it: lets the script go on when all that was asked to fly
-has flown; notes, a line a change, what stands in the pipeline browser, what the stages are joined to, what is seen, how bodies move, what
-became of the rows, and what the tool bar says."""
+"""Runs inside ParaView while an event script plays that makes a scene and flies it, of as many frames as WAFT_GUI_FRAMES says: lets
+the script go on when all that was asked to fly has flown; notes, a line a change, what stands in the pipeline browser, what it is
+joined to, what is seen, how bodies move and what became of the rows."""
+import os
+
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from watching import view, wait_until, watch, write_change
 
 import waft  # the classes of its stages
 
+FRAMES = int(os.environ["WAFT_GUI_FRAMES"])
 NAMES = ("Tracks", "Objects", "Constraints", "Obstacles", "Shapes", "Wind", "Air", "Input")
 
 
@@ -58,7 +61,17 @@ def flight():
             "statuses": [report.GetValueByName(row, "Status").ToString() for row in range(report.GetNumberOfRows())]}
 
 
+def shorten():
+    """What is not applied yet."""
+    for source in simple.GetSources().values():
+        for name, value in (("NumberOfFrames", FRAMES), ("Frame", FRAMES - 5)):
+            number = source.SMProxy.GetProperty(name)
+            if FRAMES and number is not None and number.GetElement(0) > FRAMES:
+                number.SetElement(0, value)
+
+
 def look():
+    shorten()
     wait_until(is_done)
     write_change({"sources": sorted(name for name, _ in simple.GetSources()),
                   "joined": {name: joined(source) for (name, _), source in simple.GetSources().items()},

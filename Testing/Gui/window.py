@@ -40,20 +40,20 @@ class Screen:
         self.server.wait()
 
 
-def run_paraview(folder, arguments, size=None):
-    """ParaView's exit status and what it printed; with a size its window fills the screen."""
+def run_paraview(folder, arguments, size=None, frames=0):
+    """ParaView's exit status and what it printed; with a size its window fills the screen. frames: of scenes that scripts shorten."""
     with Screen(folder, size) if size else Screen(folder) as display:
         environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
                        "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": f"{MODULES}{os.pathsep}{HERE}", "WAFT_GUI_LOG": str(folder / "log"),
                        "WAFT_GUI_SCENE": str(folder / "kept.waft.json"), "WAFT_GUI_SAMPLES": str(HERE.parent / "Python"),
-                       "WAFT_GUI_SCREEN": str(folder / "Xvfb_screen0")}
+                       "WAFT_GUI_SCREEN": str(folder / "Xvfb_screen0"), "WAFT_GUI_FRAMES": str(frames)}
         whole = ["-qwindowgeometry", f"{size[0]}x{size[1]}+0+0"] if size else []
         done = subprocess.run([PARAVIEW, "--dr", *whole, *arguments], env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
     return done.returncode, done.stdout
 
 
-def play(events, folder, watch="watch_widgets.py", ends=True, size=None):
+def play(events, folder, watch="watch_widgets.py", ends=True, size=None, frames=0):
     """Exit status, what was printed, and what a script noted while an event script played; with `ends` ParaView ends after
     the events, else the script ends it."""
     script = folder / "events.xml"
@@ -62,7 +62,7 @@ def play(events, folder, watch="watch_widgets.py", ends=True, size=None):
         text = text.replace(name, value)
     script.write_text(text, encoding="utf-8")
     status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
-                                            f"--test-script={script}", *(["--exit"] if ends else [])], size)
+                                            f"--test-script={script}", *(["--exit"] if ends else [])], size, frames)
     return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]
 
 
