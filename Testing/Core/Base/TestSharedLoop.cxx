@@ -21,7 +21,8 @@ double ValueOf(double offset, std::size_t item)
 Result Serve(ReadingStream& inputs, SharedItems& items)
 {
   double offset = 0.0;
-  inputs.Values(offset);
+  int pause = 0;
+  inputs.Values(offset, pause);
   if (offset < 0.0)
   {
     return Result::Error("expected an offset of 0 or more");
@@ -31,6 +32,7 @@ Result Serve(ReadingStream& inputs, SharedItems& items)
     items, 3, ThreadedFor(2),
     [&](std::size_t item, StateArchive& result)
     {
+      std::this_thread::sleep_for(std::chrono::milliseconds(pause));
       const double value = ValueOf(offset, item);
       result.Values(value);
     },
@@ -45,7 +47,7 @@ struct Looped
   Result Outcome = Result::Ok();
 };
 
-/// Items of this rank take a while each, so that the others have some, too.
+/// Items take a while each [ms], so that all ranks have some and a stop comes before their end.
 Looped Loop(int size, const std::vector<std::size_t>& which, double offset = 0.3,
             int stopAfter = 1000, int pause = 2)
 {
@@ -54,7 +56,7 @@ Looped Loop(int size, const std::vector<std::size_t>& which, double offset = 0.3
   SharedLoop loop;
   loop.Kind = "values";
   loop.Items = which;
-  loop.Tell = [&](StateArchive& inputs) { inputs.Values(offset); };
+  loop.Tell = [&](StateArchive& inputs) { inputs.Values(offset, pause); };
   loop.Work = [&](std::size_t item)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(pause));
