@@ -53,6 +53,7 @@ Looped Loop(int size, const std::vector<std::size_t>& which, double offset = 0.3
 {
   Looped found;
   std::atomic<bool> stop{ false };
+  std::atomic<int> done{ 0 };
   SharedLoop loop;
   loop.Kind = "values";
   loop.Items = which;
@@ -61,13 +62,15 @@ Looped Loop(int size, const std::vector<std::size_t>& which, double offset = 0.3
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(pause));
     found.Values[item] = ValueOf(offset, item);
+    ++done;
   };
   loop.Take = [&](std::size_t item, ReadingStream& result)
   {
     result.Values(found.Values[item]);
     ++found.ByOthers;
+    ++done;
   };
-  loop.Watch = [&] { stop = ++found.Watched >= stopAfter; };
+  loop.Watch = [&] { stop = ++found.Watched >= stopAfter && done > 0; };
   loop.IsWatched = stopAfter < 1000;
   EXPECT_TRUE(RunRanks(size,
                        [&](Communicator& ranks)
