@@ -88,8 +88,9 @@ class EditTest(unittest.TestCase):
     def test_regions_vortices_and_winds_are_moved_and_saved(self):
         written = SCENE.replace('"positions": [[-0.60, -0.5, 2.6], [0.4, 0.3, 2.8], [0.8, -0.6, 2.7]]',
                                 '"count": 3, "region": {"min": [-1, -1, 2.50], "max": [1, 1, 3.5]}')
-        written = written.replace('"obstacles"', '"vortices": [{"p1": [0, 0, 1.0], "p2": [0, 0, 3], "strength": 2}],\n  "winds": [{"direction": '
-                                  '[1, 0, 0], "strength": 1, "center": [0, 1, 2], "radius": 1}],\n  "obstacles"')
+        written = written.replace('"obstacles"', '"vortices": [{"p1": [0, 0, 1.0], "p2": [0, 0, 3], "strength": 2, "centerTime": 1, "duration": 1, '
+                                  '"coreRadius": 0.2}],\n  "winds": [{"direction": [1, 0, 0], "strength": 1, "center": [0, 1, 2], "radius": 1, '
+                                  '"centerTime": 1, "duration": 1}],\n  "obstacles"')
         self.file.write_text(written, encoding="utf-8")
         self.animation.StopAfter = "Plan"
         waft.update(self.animation)
