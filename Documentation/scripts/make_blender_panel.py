@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of the panel: Blender's window with the file that blender_word.py made, on a virtual screen.
 
-xvfb-run -a -s "-screen 0 1280x800x24" blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \\
+xvfb-run -a -s "-screen 0 1280x800x24 -noreset" blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \\
     --python Documentation/scripts/make_blender_panel.py -- FILE.blend PICTURE.png [FRAME]
 """
 import sys

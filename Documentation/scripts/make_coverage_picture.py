@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The coverage curve of a motion database, from the table that `waft database` writes beside it.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_coverage_picture.py FILE.coverage.csv [coverage.png]
 """
 

@@ -2,7 +2,7 @@
 """Paper against Plate: one object of a finished run, turned along the same path by both models; poses side by side, seen
 from the side.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_models_picture.py RUN_FOLDER OBJECT FIRST STEP [PICTURE.png]
 """
 

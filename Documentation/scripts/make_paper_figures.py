@@ -2,7 +2,7 @@
 """Figs. 4 to 9 of the paper beside ours, in quality `paper` and in `full`: pictures, the rows of `waft measure`, and the table of
 paper_table.py. Writes these sections of Documentation/Paper.md.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_paper_figures.py [--into FOLDER] DIR...
 
 DIR: what `waft synthesize` wrote of a scene of FIGURES in either quality. A few are enough: what each of them came to is kept in

@@ -3,7 +3,7 @@
 from left to right, those at which many marks are passed among them, and scene_NAME_end.png, the last frame. What
 lies at rest is seen from above, what flies from the side.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_scene_pictures.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
 """
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes states of scenes to open in ParaView, Documentation/examples/NAME.pvsm: a Waft Animation of each, as waft.show shows it.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_scene_states.py [FOLDER]
 """
 import os

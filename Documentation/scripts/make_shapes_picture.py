@@ -2,7 +2,7 @@
 """A sheet of bodies: leaves, feathers, one cut from a photograph, petal, bubble; each from its source, with its
 painted skin.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_shapes_picture.py [PICTURE.png]
 """
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures of the optimiser's page, from one run of a scene.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_spacetime_pictures.py [SCENE.waft.json] [PROPERTY=NUMBER ...]
 
 SCENE is leaves-letters without one; properties are those of SPHSpacetimeFilter.

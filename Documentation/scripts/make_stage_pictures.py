@@ -2,7 +2,7 @@
 """The pictures of the pages on smoke, tracks, clusters and the database, from a run of its own and the embedded
 database.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_stage_pictures.py [smoke] [tracks] [clusters] [database]
 """
 
