@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures of the page on the pipeline: each view of Documentation/examples/six_stages.pvsm.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_pipeline_pictures.py
 """
 import os
@@ -18,9 +18,9 @@ RANGES = {"Residual": (0.0, 1.0)}  # m/s^2; single particles have more
 
 
 def load(**where):
-    """{name: view} of the state; `where`: arguments of LoadState."""
+    """{name: view} of the state, whose tabs are "1 NAME" and so on; `where`: arguments of LoadState."""
     simple.LoadState(str(ROOT / "Documentation" / "examples" / "six_stages.pvsm"), **where)
-    return {name: simple.FindView(name) for name, _ in simple.GetLayouts()}
+    return {name: simple.FindView(name) for name in (tab.partition(" ")[2] for tab, _ in simple.GetLayouts())}
 
 
 def draw(view, path, size):

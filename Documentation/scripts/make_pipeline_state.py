@@ -2,7 +2,7 @@
 """Writes Documentation/examples/six_stages.pvsm: the stages that six_stages.py joins, under the names that they have there, and a
 tab with a view of each port that the page on the pipeline shows.
 
-PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
+PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
   pvbatch Documentation/scripts/make_pipeline_state.py [FILE.pvsm]
 """
 import functools
@@ -56,8 +56,8 @@ def join(folder):
     return stages
 
 
-def show(stages, name):
-    layout = simple.CreateLayout(name)
+def show(stages, name, number):
+    layout = simple.CreateLayout(f"{number} {name}")  # a state has its tabs by the alphabet
     view = simple.CreateRenderView(registrationName=name)
     simple.AssignViewToLayout(view, layout)
     view.OrientationAxesVisibility = 0
@@ -98,8 +98,8 @@ def main(path):
     with tempfile.TemporaryDirectory() as folder:
         stages = join(folder)
         simple.GetAnimationScene().AnimationTime = TIME
-        for name in VIEWS:
-            show(stages, name)
+        for number, name in enumerate(VIEWS, 1):
+            show(stages, name, number)
     for stage, kind in ((stages["smoke"], "GridSmokeSource"), (stages["gas"], "SPHSpacetimeFilter")):
         for name in COARSE[kind]:
             stage.GetProperty(name).ResetToDefault()

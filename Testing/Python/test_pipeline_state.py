@@ -6,6 +6,7 @@ scene that stands where ParaView is told to look: the poses of six_stages.py, an
 """
 import os
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
@@ -44,11 +45,10 @@ class PipelineStateTest(unittest.TestCase):
             for key, value in settings.items():
                 setattr(simple.FindSource(name), key, value)
 
-    def test_has_a_view_of_each_picture_of_the_page(self):
+    def test_has_a_tab_of_each_picture_of_the_page_in_its_order(self):
         page = (SOURCE / "Documentation" / "Pipeline.md").read_text(encoding="utf-8")
-        self.assertEqual(set(self.views), set(make_pipeline_state.VIEWS))
-        for name in self.views:
-            self.assertIn(f"(gallery/pipeline_{name}.png)", page)
+        self.assertEqual(list(self.views), list(make_pipeline_state.VIEWS))
+        self.assertEqual(list(self.views), re.findall(r"\(gallery/pipeline_(\w+)\.png\)", page))
 
     def test_names_no_place_of_who_made_it(self):
         text = (EXAMPLES / "six_stages.pvsm").read_text(encoding="utf-8")
