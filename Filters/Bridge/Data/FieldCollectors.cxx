@@ -31,6 +31,9 @@ namespace waft
 namespace
 {
 
+// Places of all obstacles that room is made for before they come; what stands still needs none.
+constexpr std::size_t MostRoom = 20000000;
+
 // An obstacle of a surface, and which of its points it has.
 struct Piece
 {
@@ -366,11 +369,15 @@ Result ObstacleCollector::Move(const std::vector<vtkPolyData*>& surfaces, double
     WAFT_RETURN_IF_FAILED(ReadPoints(surface->GetPoints(), "Obstacles", own));
     all.insert(all.end(), own.begin(), own.end());
   }
+  const std::size_t frames =
+    this->Frames.empty() ? 1 : static_cast<std::size_t>(line.NumberOfFrames);
+  const std::size_t room =
+    std::min(frames, MostRoom / std::max(this->Obstacles.size(), std::size_t(1)));
   for (std::size_t i = 0; i < this->Obstacles.size(); ++i)
   {
     ObstacleMesh& obstacle = this->Obstacles[i];
     Vec3 offset = Vec3::Zero();
-    obstacle.Offsets.reserve(static_cast<std::size_t>(line.NumberOfFrames));
+    obstacle.Offsets.reserve(room);
     WAFT_RETURN_IF_FAILED(Displacement(obstacle, this->PointsOf[i], all, time, offset));
     obstacle.Offsets.push_back(offset);
   }
