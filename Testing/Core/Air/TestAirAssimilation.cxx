@@ -7,6 +7,7 @@
 #include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Grid/SmokeEnsemble.h"
+#include "StraightFlights.h"
 
 #include <gtest/gtest.h>
 
@@ -70,9 +71,7 @@ AssimilationInput Leaves()
 {
   AssimilationInput input;
   input.Scene.Time = { Frames, 30.0 };
-  ObstacleMesh ground;
-  ground.Mesh = MakeBox({ Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0) });
-  input.Obstacles.push_back(ground);
+  input.Obstacles.push_back(FlatGround());
   for (int o = 0; o < 6; ++o)
   {
     MotionObject object;
@@ -80,7 +79,6 @@ AssimilationInput Leaves()
     object.Position = Vec3(-1.0 + 0.4 * o, 0.2 * o, 0.7);
     object.SettlingSpeed = 0.5;
     object.RestHeight = 0.01;
-    input.Objects.push_back(object);
     Constraint row;
     row.ObjectId = object.ObjectId;
     row.Row = o;
@@ -97,17 +95,7 @@ AssimilationInput Leaves()
       row.Radius = o == 4 ? 0.05 : 0.0;
       row.Value = object.Position + Vec3(0.2, -0.1, -0.2);
     }
-    input.Constraints.push_back(row);
-    Track track;
-    track.ObjectId = object.ObjectId;
-    for (int f = 0; f < Frames; ++f)
-    {
-      const double s = std::min(1.0, f / double(row.Frame));
-      Vec3 end = row.Value;
-      end.z() = o < 3 ? object.RestHeight : end.z();
-      track.Positions.push_back((1.0 - s) * object.Position + s * end);
-    }
-    input.Tracks.push_back(track);
+    AddStraightFlight(object, row, Frames, input);
   }
   return input;
 }

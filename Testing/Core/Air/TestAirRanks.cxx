@@ -6,6 +6,7 @@
 #include "Base/ThreadRanks.h"
 #include "Rotation/BodyTurner.h"
 #include "Shapes/ThinShape.h"
+#include "StraightFlights.h"
 
 #include <gtest/gtest.h>
 
@@ -25,9 +26,7 @@ AssimilationInput Crowd()
   input.Shapes.resize(1);
   EXPECT_TRUE(MakeBuiltinShape("leaf", 0.0, input.Shapes[0]));
   input.Turning.RasterSize = 16;
-  ObstacleMesh ground;
-  ground.Mesh = MakeBox({ Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0) });
-  input.Obstacles.push_back(ground);
+  input.Obstacles.push_back(FlatGround());
   for (int o = 0; o < Bodies; ++o)
   {
     MotionObject object;
@@ -35,7 +34,6 @@ AssimilationInput Crowd()
     object.Position = Vec3(-1.8 + 0.27 * (o % 14), -1.8 + 0.25 * (o / 14), 0.4 + 0.1 * (o % 3));
     object.SettlingSpeed = 0.5;
     object.RestHeight = 0.01;
-    input.Objects.push_back(object);
     Constraint row;
     row.ObjectId = object.ObjectId;
     row.Row = o;
@@ -43,17 +41,7 @@ AssimilationInput Crowd()
     row.Frame = o % 4 == 0 ? 38 : 12;
     row.Until = o % 4 == 0 ? Frames - 1 : -1;
     row.Value = object.Position + Vec3(0.1, -0.05, o % 4 == 0 ? 0.0 : -0.1);
-    input.Constraints.push_back(row);
-    Track track;
-    track.ObjectId = object.ObjectId;
-    Vec3 end = row.Value;
-    end.z() = o % 4 == 0 ? object.RestHeight : end.z();
-    for (int f = 0; f < Frames; ++f)
-    {
-      const double s = std::min(1.0, f / static_cast<double>(row.Frame));
-      track.Positions.push_back((1.0 - s) * object.Position + s * end);
-    }
-    input.Tracks.push_back(track);
+    AddStraightFlight(object, row, Frames, input);
   }
   return input;
 }

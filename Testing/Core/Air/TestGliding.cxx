@@ -4,6 +4,7 @@
 #include "Air/Run/AssimilationState.h"
 #include "Base/Primitives.h"
 #include "Shapes/ThinShape.h"
+#include "StraightFlights.h"
 
 #include <gtest/gtest.h>
 
@@ -23,9 +24,7 @@ AssimilationInput Leaves()
   input.Scene.Time = { Frames, 30.0 };
   input.Shapes.resize(1);
   EXPECT_TRUE(MakeBuiltinShape("leaf", 0.0, input.Shapes[0]));
-  ObstacleMesh ground;
-  ground.Mesh = MakeBox({ Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0) });
-  input.Obstacles.push_back(ground);
+  input.Obstacles.push_back(FlatGround());
   for (int o = 0; o < 4; ++o)
   {
     MotionObject object;
@@ -33,24 +32,13 @@ AssimilationInput Leaves()
     object.Position = Vec3(-0.9 + 0.6 * o, 0.1 * o, o == 3 ? 1.2 : 2.5);
     object.SettlingSpeed = 0.5;
     object.RestHeight = 0.01;
-    input.Objects.push_back(object);
     Constraint row;
     row.ObjectId = row.Row = o;
     row.Frame = o == 3 ? 80 : 60;
     row.Kind = o == 3 ? ConstraintKind::Rest : ConstraintKind::Position;
     row.Until = o == 3 ? Frames - 1 : -1;
     row.Value = object.Position + Vec3(0.2, -0.2, -1.0);
-    input.Constraints.push_back(row);
-    Track track;
-    track.ObjectId = o;
-    Vec3 end = row.Value;
-    end.z() = o == 3 ? object.RestHeight : end.z();
-    for (int f = 0; f < Frames; ++f)
-    {
-      const double s = std::min(1.0, f / static_cast<double>(row.Frame));
-      track.Positions.push_back((1.0 - s) * object.Position + s * end);
-    }
-    input.Tracks.push_back(track);
+    AddStraightFlight(object, row, Frames, input);
   }
   return input;
 }
