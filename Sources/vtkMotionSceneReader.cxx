@@ -9,6 +9,7 @@
 #include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/ChainScene.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneFileOptions.h"
 #include "Scene/SceneWind.h"
@@ -41,16 +42,10 @@ struct vtkMotionSceneReader::Contents
 
   void Load(const std::string& file)
   {
-    waft::Scene scene;
-    waft::Result result = waft::ReadScene(file, waft::VtkSceneAssets(), scene);
-    if (result)
-    {
-      result = this->Wind.Build(scene, waft::VtkSceneAssets());
-      const std::vector<std::string>& odd = this->Wind.Warnings();
-      scene.Warnings.insert(scene.Warnings.end(), odd.begin(), odd.end());
-    }
-    this->Error = result.Message();
-    this->Scene = std::move(scene);
+    this->Scene = {};
+    this->Wind = {};
+    this->Error =
+      waft::ReadSceneAndWind(file, waft::VtkSceneAssets(), this->Scene, this->Wind).Message();
     this->Keep();
   }
 
@@ -89,6 +84,17 @@ void vtkMotionSceneReader::SetFileName(const std::string& name)
 int vtkMotionSceneReader::GetSceneSeed() const
 {
   return static_cast<int>(this->Read->Scene.Info.Seed);
+}
+
+double* vtkMotionSceneReader::GetVolumeAboveGround()
+{
+  const waft::Box volume = waft::VolumeAboveGround(this->Read->Scene);
+  for (int k = 0; k < 3; ++k)
+  {
+    this->VolumeAboveGround[2 * k] = volume.Min[k];
+    this->VolumeAboveGround[2 * k + 1] = volume.Max[k];
+  }
+  return this->VolumeAboveGround;
 }
 
 int vtkMotionSceneReader::FillOutputPortInformation(int port, vtkInformation* info)

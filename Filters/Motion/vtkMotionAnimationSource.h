@@ -94,8 +94,6 @@ public:
 
   /** The seed that the scene file gives; 1 before one was read. */
   int GetSceneSeed() const;
-  /** The table of stages as JSON: waft::ChainTableAsJson. */
-  static std::string GetStages();
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;

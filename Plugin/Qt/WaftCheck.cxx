@@ -5,7 +5,6 @@
 #include <pqPipelineSource.h>
 #include <pqServerManagerModel.h>
 
-#include <vtkOutputWindow.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 #include <vtkSMSession.h>
@@ -56,24 +55,23 @@ QString SceneOf(pqPipelineSource* source)
   return QString::fromUtf8(vtkSMPropertyHelper(source->getProxy(), "FileName").GetAsString());
 }
 
-/// What the command printed, as one message: its last line, which sums up, and the findings.
-void Warn(const QString& printed)
+/// What the command printed: its last line, which sums up, and the findings.
+QStringList FindingsOf(const QString& printed)
 {
   QStringList lines =
     printed.split('\n', Qt::SkipEmptyParts).replaceInStrings(QRegularExpression("^waft: "), "");
-  const QString summary = lines.isEmpty() ? QString() : lines.takeLast();
-  if (lines.isEmpty())
+  if (lines.size() < 2)
   {
-    return;
+    return {};
   }
-  const int more = lines.size() - MostFindings;
-  lines = lines.mid(0, MostFindings);
+  lines.prepend(lines.takeLast());
+  const int more = lines.size() - 1 - MostFindings;
+  lines = lines.mid(0, MostFindings + 1);
   if (more > 0)
   {
     lines << QString("and %1 more").arg(more);
   }
-  const QString text = summary + "\n" + lines.join("\n") + "\n";
-  vtkOutputWindow::GetInstance()->DisplayWarningText(text.toUtf8().data());
+  return lines;
 }
 
 } // namespace
@@ -107,9 +105,10 @@ void WaftCheck::Run(const QString& file)
 {
   auto* check = new QProcess(this);
   this->connect(check, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
-                [check]
+                [this, check, file]
                 {
-                  Warn(QString::fromUtf8(check->readAllStandardOutput()));
+                  Q_EMIT this->found(file,
+                                     FindingsOf(QString::fromUtf8(check->readAllStandardOutput())));
                   check->deleteLater();
                 });
   check->start(this->Command, { "check", file });

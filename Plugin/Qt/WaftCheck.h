@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <map>
 #include <utility>
@@ -11,8 +12,8 @@
 class pqPipelineSource;
 
 /// What `waft check` says of the scene files that Apply takes in: which marks cannot be met, and
-/// what will be hard. It comes as one message, while the flight goes on; a scene that has nothing
-/// to be said of is passed over, and one that is malformed is reported by its reader. A file is
+/// what will be hard. It comes once, while the flight goes on; of a scene that has nothing to
+/// be said of there is none, and one that is malformed is reported by its reader. A file is
 /// looked at again when it has changed. Not of a server's files.
 class WaftCheck : public QObject
 {
@@ -23,6 +24,10 @@ public:
   ~WaftCheck() override;
 
   void LookAt(pqPipelineSource* source);
+
+Q_SIGNALS:
+  /// Of a file, a sentence each, the first of which sums up; none where all is well.
+  void found(const QString& file, const QStringList& findings);
 
 private:
   using Version = std::pair<QString, QDateTime>; // of a file

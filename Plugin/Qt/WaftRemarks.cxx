@@ -41,10 +41,27 @@ void WaftRemarks::onWarning(vtkObject*, unsigned long, void*, void* text)
   }
 }
 
+void WaftRemarks::Find(const QString& file, const QStringList& findings)
+{
+  this->IsNew = this->IsNew || this->Found[file] != findings;
+  this->Found[file] = findings;
+}
+
+QStringList WaftRemarks::Lines() const
+{
+  QStringList lines = this->Said;
+  for (const QStringList& findings : this->Found)
+  {
+    lines << findings;
+  }
+  return lines;
+}
+
 QString WaftRemarks::Line() const
 {
-  const int more = static_cast<int>(this->Said.size()) - 1;
-  return this->Said.isEmpty()
+  const QStringList lines = this->Lines();
+  const int more = static_cast<int>(lines.size()) - 1;
+  return lines.isEmpty()
            ? QString()
-           : this->Said.first() + (more > 0 ? QString(" (and %1 more)").arg(more) : QString());
+           : lines.first() + (more > 0 ? QString(" (and %1 more)").arg(more) : QString());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QMap>
 #include <QObject>
 #include <QStringList>
 
@@ -12,8 +13,9 @@ class vtkEventQtSlotConnect;
 class vtkObject;
 class vtkSMProxy;
 
-/// What sources of the window warn of, such as a mark that the air does not take a body to. The
-/// window of messages, which comes before all else, is left to errors. Not of a server's sources.
+/// What sources of the window warn of, such as a mark that the air does not take a body to, and
+/// what is found of their scenes before. The window of messages, which comes before all else, is
+/// left to errors. Not of a server's sources.
 class WaftRemarks : public QObject
 {
   Q_OBJECT
@@ -23,10 +25,12 @@ public:
   ~WaftRemarks() override;
 
   void ListenTo(vtkSMProxy* source);
+  /// What is to be said of a scene file, in place of what was; it stays while others are cleared.
+  void Find(const QString& file, const QStringList& findings);
   /// The first, and how many more there are; empty without any.
   QString Line() const;
   /// Each on a line of its own.
-  QString All() const { return this->Said.join("\n"); }
+  QString All() const { return this->Lines().join("\n"); }
   /// Whether there is one that was not asked for yet.
   bool TakeNews() { return std::exchange(this->IsNew, false); }
   void Clear() { this->Said.clear(); }
@@ -36,6 +40,9 @@ private Q_SLOTS:
 
 private:
   vtkNew<vtkEventQtSlotConnect> Events;
+  QStringList Lines() const;
+
   QStringList Said;
+  QMap<QString, QStringList> Found; // by file
   bool IsNew = false;
 };

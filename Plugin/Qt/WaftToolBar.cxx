@@ -22,6 +22,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QStyle>
 #include <QToolButton>
@@ -81,6 +82,12 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->Bar->setRange(0, BarSteps);
   this->Bar->setFixedWidth(BarWidth);
   this->addWidget(this->Bar);
+  this->Remarked = this->AddButton("Remarks", "!", {});
+  this->Remarked->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
+  this->RemarkedShown = this->actions().last();
+  this->RemarkedShown->setVisible(false);
+  this->connect(this->Remarked, &QToolButton::clicked, this, &WaftToolBar::onRemarks);
+  this->connect(this->Check, &WaftCheck::found, this, &WaftToolBar::onFound);
   this->connect(this->Stop, &QToolButton::clicked, this, &WaftToolBar::onStop);
   this->connect(this->GoOn, &QToolButton::clicked, this, &WaftToolBar::onGoOn);
 
@@ -262,6 +269,28 @@ void WaftToolBar::onRefused(const QString& why)
   this->Say("nothing flies: " + why, "nothing flies: " + why);
 }
 
+void WaftToolBar::onFound(const QString& file, const QStringList& findings)
+{
+  this->Remarks->Find(file, findings);
+  this->ShowRemarks();
+  this->onDataUpdated();
+}
+
+void WaftToolBar::onRemarks()
+{
+  auto* box =
+    new QMessageBox(QMessageBox::Information, "Waft", this->Remarks->All(), QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setTextFormat(Qt::PlainText);
+  box->open();
+}
+
+void WaftToolBar::ShowRemarks()
+{
+  this->RemarkedShown->setVisible(!this->Remarks->Line().isEmpty());
+  this->Remarked->setToolTip(this->Remarks->All());
+}
+
 void WaftToolBar::Say(const QString& line, const QString& whole)
 {
   this->Bar->setFormat(
@@ -276,6 +305,7 @@ void WaftToolBar::Show(State state, const waft::WorkOfStages& work)
   this->Stop->setEnabled(state == State::Working);
   this->GoOn->setEnabled(state == State::Stopped);
   this->Bar->setEnabled(state != State::Resting || !this->Remarks->Line().isEmpty());
+  this->ShowRemarks();
   if (state == State::Resting)
   {
     const bool isNew = this->Remarks->TakeNews();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QStringList>
 #include <QTimer>
 #include <QToolBar>
 
@@ -39,6 +40,8 @@ private Q_SLOTS:
   void onStop();
   void onGoOn();
   void onRefused(const QString& why);
+  void onFound(const QString& file, const QStringList& findings);
+  void onRemarks();
 
 private:
   enum class State
@@ -64,6 +67,7 @@ private:
   void Show(State state, const waft::WorkOfStages& work);
   /// A line in the bar, as far as it has room, and all of it as its tip.
   void Say(const QString& line, const QString& whole);
+  void ShowRemarks();
   /// Renders all views.
   void Draw();
 
@@ -78,6 +82,8 @@ private:
   QToolButton* Stop;
   QToolButton* GoOn;
   QProgressBar* Bar;
+  QToolButton* Remarked;  // a sign beside the bar that there are remarks, which opens them
+  QAction* RemarkedShown; // its place in the tool bar
   State Now = State::Resting;
   Wish Asked = Wish::Nothing;
   std::size_t Begun = 0; // stages, at most, since there was nothing to do

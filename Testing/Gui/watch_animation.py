@@ -10,6 +10,7 @@ scene = waft.Scene(seed=5)
 scene.set_time(20)
 scene.add_objects("maple", count=2, region={"min": (-0.5, -0.5, 2.5), "max": (0.5, 0.5, 3)})
 scene.add_position(0, 15, (0.2, 0.1, 2.5), radius=0.1)
+scene.add_position(1, 15, (0, 0, 9), radius=0.1)  # outside of the volume
 scene.save(SCENE)
 
 

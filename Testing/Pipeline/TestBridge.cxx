@@ -3,6 +3,7 @@
 #include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
@@ -17,11 +18,16 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <tuple>
 #include <vector>
 
 using namespace waft;
@@ -117,6 +123,71 @@ TEST(Bridge, ConstraintsComeBack)
 
   const Result late = ConstraintsFromPolyData(data, Timeline{ 100, 30.0 }, back);
   EXPECT_EQ(late.Message(), "Constraints: vertex 2: array `Frame`: expected 0 to 99, found 200");
+}
+
+TEST(Bridge, AReportComesBackAlsoFromTexts)
+{
+  ReportRow met, missed;
+  met.Row = 3;
+  met.Target = 1;
+  met.ObjectId = 7;
+  met.Kind = ConstraintKind::Rest;
+  met.TouchDown = 20;
+  met.Settled = 24;
+  missed.Frame = 12;
+  missed.Residual = std::numeric_limits<double>::quiet_NaN();
+  missed.Status = ConstraintStatus::Unreachable;
+  missed.Message = "it comes within 0.2 m";
+  vtkNew<vtkTable> table, texts;
+  ReportToTable({ met, missed }, SceneInfo(), table);
+  for (int column = 0; column < table->GetNumberOfColumns(); ++column)
+  {
+    std::vector<std::string> values;
+    for (int row = 0; row < 2; ++row)
+    {
+      const vtkVariant cell = table->GetValue(row, column);
+      values.push_back(cell.IsDouble() && std::isnan(cell.ToDouble()) ? "" : cell.ToString());
+    }
+    AddStrings(texts->GetRowData(), table->GetColumnName(column), values);
+  }
+  for (vtkTable* given : { table.Get(), texts.Get() })
+  {
+    std::vector<ReportRow> read;
+    ASSERT_TRUE(ReportFromTable(given, "report", read));
+    ASSERT_EQ(read.size(), 2u);
+    EXPECT_EQ(std::tie(read[0].Row, read[0].Target, read[0].ObjectId, read[0].Kind),
+              std::tie(met.Row, met.Target, met.ObjectId, met.Kind));
+    EXPECT_EQ(std::tie(read[0].TouchDown, read[0].Settled, read[0].Residual),
+              std::tie(met.TouchDown, met.Settled, met.Residual));
+    EXPECT_EQ(std::tie(read[1].Frame, read[1].Status, read[1].Message),
+              std::tie(missed.Frame, missed.Status, missed.Message));
+    EXPECT_TRUE(std::isnan(read[1].Residual));
+  }
+}
+
+TEST(Bridge, AReportThatIsNoneIsNamedByLineAndColumn)
+{
+  const auto messageOf = [](const char* column, const char* text)
+  {
+    vtkNew<vtkTable> table;
+    ReportToTable({ ReportRow() }, SceneInfo(), table);
+    table->RemoveColumnByName(column);
+    if (text != nullptr)
+    {
+      AddStrings(table->GetRowData(), column, { text });
+    }
+    std::vector<ReportRow> read;
+    return ReportFromTable(table, "report", read).Message();
+  };
+  EXPECT_EQ(messageOf("Row", nullptr), "report: no column `Row`");
+  EXPECT_EQ(messageOf("Row", "one"),
+            "report: line 1: column `Row`: expected a whole number, found `one`");
+  EXPECT_EQ(messageOf("Residual", "far"),
+            "report: line 1: column `Residual`: expected a number, found `far`");
+  EXPECT_EQ(messageOf("Kind", "wish"),
+            "report: line 1: column `Kind`: expected a kind of constraint, found `wish`");
+  EXPECT_EQ(messageOf("Status", "done"),
+            "report: line 1: column `Status`: expected a status, found `done`");
 }
 
 TEST(Bridge, VorticesAndObjectsComeBack)

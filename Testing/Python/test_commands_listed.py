@@ -17,7 +17,7 @@ sys.path.insert(0, str(SOURCE / "CMake"))
 
 import describe_command  # noqa: E402
 from waft import Scene, cli, takes  # noqa: E402
-from waft.run._qualities import word_in_keys  # noqa: E402
+from waft.run._chain import word_in_keys  # noqa: E402
 
 OWN = {"packages", "build", "test", "package"}  # of the script alone
 

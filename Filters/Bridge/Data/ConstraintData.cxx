@@ -11,13 +11,83 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
+#include <vtkVariant.h>
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 
 namespace waft
 {
+namespace
+{
+
+/// Reads a line of a report's table by the names of its columns.
+struct CellReader
+{
+  vtkTable* Table;
+  const std::string& Owner;
+  vtkIdType Line;
+
+  template <class Value>
+  Result Read(const char* name, Value& value) const
+  {
+    if (this->Table->GetColumnByName(name) == nullptr)
+    {
+      return Result::Error(this->Owner + ": no column `" + name + "`");
+    }
+    const vtkVariant cell = this->Table->GetValueByName(this->Line, name);
+    const std::string expected = Take(cell, value);
+    return expected.empty()
+             ? Result::Ok()
+             : Result::Error(this->Owner + ": line " + std::to_string(this->Line + 1) +
+                             ": column `" + name + "`: expected " + expected + ", found `" +
+                             std::string(cell.ToString()) + "`");
+  }
+
+private:
+  // Each gives what was expected where it is something else.
+  static std::string Take(const vtkVariant& cell, int& value)
+  {
+    bool isNumber = false;
+    value = cell.ToInt(&isNumber);
+    return isNumber ? "" : "a whole number";
+  }
+  static std::string Take(const vtkVariant& cell, double& value)
+  {
+    bool isNumber = !cell.ToString().empty();
+    value = isNumber ? cell.ToDouble(&isNumber) : std::numeric_limits<double>::quiet_NaN();
+    return isNumber || cell.ToString().empty() ? "" : "a number";
+  }
+  static std::string Take(const vtkVariant& cell, std::string& value)
+  {
+    value = cell.ToString();
+    return "";
+  }
+  static std::string Take(const vtkVariant& cell, ConstraintKind& value)
+  {
+    const ConstraintTraits* traits = FindConstraintKind(cell.ToString());
+    value = traits != nullptr ? traits->Kind : value;
+    return traits != nullptr ? "" : "a kind of constraint";
+  }
+  static std::string Take(const vtkVariant& cell, ConstraintStatus& value)
+  {
+    const auto* found = std::find_if(std::begin(ConstraintStatuses), std::end(ConstraintStatuses),
+                                     [name = std::string(cell.ToString())](ConstraintStatus one)
+                                     { return name == ToString(one); });
+    const bool isKnown = found != std::end(ConstraintStatuses);
+    value = isKnown ? *found : value;
+    return isKnown ? "" : "a status";
+  }
+
+  static constexpr ConstraintStatus ConstraintStatuses[] = { ConstraintStatus::Met,
+                                                             ConstraintStatus::Infeasible,
+                                                             ConstraintStatus::Conflict,
+                                                             ConstraintStatus::Unreachable };
+};
+
+} // namespace
 
 void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const SceneInfo& info,
                            vtkPolyData* data)
@@ -205,6 +275,28 @@ void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, v
   AddColumn(columns, names::TouchDown, report, &ReportRow::TouchDown);
   AddColumn(columns, names::Settled, report, &ReportRow::Settled);
   SceneInfoToFieldData(info, table);
+}
+
+Result ReportFromTable(vtkTable* table, const std::string& owner, std::vector<ReportRow>& report)
+{
+  std::vector<ReportRow> read(static_cast<std::size_t>(table->GetNumberOfRows()));
+  for (std::size_t i = 0; i < read.size(); ++i)
+  {
+    const CellReader cells{ table, owner, static_cast<vtkIdType>(i) };
+    ReportRow& line = read[i];
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Row, line.Row));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Target, line.Target));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::ObjectId, line.ObjectId));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Frame, line.Frame));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Kind, line.Kind));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Residual, line.Residual));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Status, line.Status));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Message, line.Message));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::TouchDown, line.TouchDown));
+    WAFT_RETURN_IF_FAILED(cells.Read(names::Settled, line.Settled));
+  }
+  report = std::move(read);
+  return Result::Ok();
 }
 
 } // namespace waft

@@ -8,6 +8,7 @@
 #include "Constraints/Constraint.h"
 
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -58,5 +59,8 @@ void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* trac
 
 /// One line per row of the report but for those of no row; Kind and Status as text.
 void ReportToTable(const std::vector<ReportRow>& report, const SceneInfo& info, vtkTable* table);
+/// The lines of such a table, whose columns may all be texts, as a file has them. owner: "planned
+/// report", for messages. Fails on an absent column and on what is no number, kind or status.
+Result ReportFromTable(vtkTable* table, const std::string& owner, std::vector<ReportRow>& report);
 
 } // namespace waft

@@ -97,7 +97,47 @@ def write_xml(data, path, packs_well=False):
     name. packs_well: by LZMA, which makes three quarters of what is rounded. Raises OSError when it could not be written: VTK's
     writers end the process where the disk is full, so that they write to memory here."""
     path = pathlib.Path(path)
-    content = _blocks_text(data, path) if path.suffix == ".vtm" else _xml_text(data, packs_well)
+    _write_whole(path, _blocks_text(data, path) if path.suffix == ".vtm" else _xml_text(data, packs_well))
+
+
+class XmlSeries:
+    """Files as write_xml writes them, of one data set after another, as many at once as there are threads.
+
+    with XmlSeries() as series: series.write(data, path), which are written when it ends at the latest; data stay as they are till then.
+    """
+
+    def __init__(self, packs_well=False):
+        from waft.vtkWaftFilters import vtkWritersTogether
+
+        self._together, self._packs_well = vtkWritersTogether, packs_well
+        self._most = vtkWritersTogether.GetNumberOfThreads()
+        self._waiting = []  # (writer, path)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, traceback):
+        if kind is None:
+            self._flush()
+
+    def write(self, data, path):
+        self._waiting.append((_xml_writer(data, self._packs_well), pathlib.Path(path)))
+        if len(self._waiting) == self._most:
+            self._flush()
+
+    def _flush(self):
+        from vtkmodules.vtkCommonCore import vtkCollection
+
+        writers = vtkCollection()
+        for writer, _ in self._waiting:
+            writers.AddItem(writer)
+        self._together.Write(writers)
+        for writer, path in self._waiting:
+            _write_whole(path, writer.GetOutputString())
+        self._waiting = []
+
+
+def _write_whole(path, content):
     try:
         write_text(path, content)
     except OSError as error:
@@ -105,6 +145,12 @@ def write_xml(data, path, packs_well=False):
 
 
 def _xml_text(data, packs_well=False):
+    writer = _xml_writer(data, packs_well)
+    writer.Write()
+    return writer.GetOutputString()
+
+
+def _xml_writer(data, packs_well):
     """Values are within the tags: VTK 9.1 reads none after them with Expat 2.6, nor with Debian's fixes of 2.5."""
     from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtkXMLTableWriter
 
@@ -117,8 +163,7 @@ def _xml_text(data, packs_well=False):
         writer.SetBlockSize(1 << 22)
     writer.SetCompressionLevel(1)  # a quarter of the usual level's time, files 2 % larger
     writer.WriteToOutputStringOn()
-    writer.Write()
-    return writer.GetOutputString()
+    return writer
 
 
 def _blocks_text(data, path):

@@ -15,7 +15,7 @@ from waft.cli.speaking import speaking
 from waft.loading import version
 from waft.render._styles import STYLES, VIEWS
 from waft.run._options import option
-from waft.run._qualities import KEPT, QUALITIES, quality_of
+from waft.run._chain import KEPT, QUALITIES, quality_of
 from waft.run.request import SENTENCES, STATED
 from waft.scene._schema import definition
 from waft.texts import ROWS, is_utf8, line, names_a_row, say, shortened, warn
@@ -156,7 +156,7 @@ def parser() -> argparse.ArgumentParser:
 
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
     make.add_argument("scene", type=path, help="scene file, *.waft.json")
-    make.add_argument("--output", type=path, metavar="DIR", help="folder for the results")
+    make.add_argument("-o", "--output", type=path, metavar="DIR", help="folder for the results")
     for name, how in (("database", {"type": path, "metavar": "FILE"}), ("seed", {"type": _stated(STATED["seed"])}),
                       ("threads", {"type": threads}), ("time_limit", {"type": positive, "metavar": "S"}),
                       ("memory_limit", {"type": _stated(STATED["memory_limit"]), "metavar": "MB"}),
@@ -179,8 +179,8 @@ def parser() -> argparse.ArgumentParser:
     many = commands.add_parser("takes", help="many variations of a scene, and a table of them", epilog=TAKES_EXIT)
     many.add_argument("scene", type=path, help="scene file, *.waft.json")
     many.add_argument("--seeds", type=seeds, required=True, metavar="A:B", help="a take for each, both ends included")
-    many.add_argument("--output", type=path, required=True, metavar="DIR", help="folder for takes.csv, takes.txt and the takes; those "
-                                                                                "that are there already are not flown again")
+    many.add_argument("-o", "--output", type=path, required=True, metavar="DIR",
+                      help="folder for takes.csv, takes.txt and the takes; those that are there already are not flown again")
     many.add_argument("--jobs", type=_whole(1, 256), default=1, metavar="N", help="takes at a time, default 1")
     many.add_argument("--threads", type=threads, help="of each take; default: all cores together; the result is the same")
     many.add_argument("--database", type=path, metavar="FILE", help=SENTENCES["database"])
@@ -213,7 +213,7 @@ def parser() -> argparse.ArgumentParser:
     about.set_defaults(run=run_info, needs_paraview=False)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
-    base.add_argument("--output", type=path, required=True, metavar="FILE.vtm", help="file for the database")
+    base.add_argument("-o", "--output", type=path, required=True, metavar="FILE.vtm", help="file for the database")
     base.add_argument("--simulations", **_of_database("NumberOfSimulations", help=""))
     base.add_argument("--frames", **_of_database("NumberOfFrames", help="frames of each, "))
     base.add_argument("--resolution", **_of_database("Resolution", help="cells along a side, "))
@@ -298,7 +298,7 @@ def parser() -> argparse.ArgumentParser:
     tidy.set_defaults(run=run_clean, needs_paraview=False)
 
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
-    demo.add_argument("--output", type=path, default="demo", metavar="DIR", help="folder for the results, default demo")
+    demo.add_argument("-o", "--output", type=path, default="demo", metavar="DIR", help="folder for the results, default demo")
     demo.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
     demo.set_defaults(run=run_demo)
     for name, command in commands.choices.items():

@@ -15,7 +15,7 @@ from waft.results import _folder
 from waft.results._arrays import MOST_FRAMES, array_of, points_of, polylines
 from waft.results._records import GLTF, MEASURED, REPORT, checked, record_of
 from waft.results._tables import columns_of
-from waft.run._qualities import quality_of
+from waft.run._chain import quality_of
 from waft.scene._kinds import POSITIONAL
 from waft.texts import line, warn
 

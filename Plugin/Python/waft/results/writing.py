@@ -6,12 +6,12 @@ import pathlib
 
 from waft import failures
 from waft.beneath import Folder
-from waft.files import copy_file, half, in_single_precision, in_steps, table_rows, write_csv, write_pvd, write_xml
+from waft.files import XmlSeries, copy_file, half, in_single_precision, in_steps, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
 from waft.reading import dynamics, found_json
 from waft.results.place import ResultPlace, settle
 from waft.results.store import Store
-from waft.run._qualities import WITHOUT
+from waft.run._chain import WITHOUT
 from waft.texts import is_utf8
 from waft.watching import Effort, collect
 
@@ -228,12 +228,13 @@ def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data
 
     algorithm = getattr(pipeline, stage).GetClientSideObject()
     entries = []
-    for step, time in spaced(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,), interval):
-        file = f"{name}/{name}_{step:04d}{suffix}"
-        data = _at(algorithm, port, time)
-        change(data)
-        write_xml(data, place.path(file), packs_well=name == "air")
-        entries.append((time, file))
+    with XmlSeries(packs_well=name == "air") as files:
+        for step, time in spaced(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,), interval):
+            file = f"{name}/{name}_{step:04d}{suffix}"
+            data = _at(algorithm, port, time)
+            change(data)
+            files.write(data, place.path(file))
+            entries.append((time, file))
     write_pvd(place.path(name + ".pvd"), entries)
 
 

@@ -15,7 +15,7 @@ from waft.results._records import REPORT, record_of
 from waft.results._tables import columns_of
 from waft.results.place import manifest_in
 from waft.results.writing import REPORT as SEAL, result_place, settled
-from waft.run._qualities import quality_of
+from waft.run._chain import quality_of
 from waft.run.request import Path
 from waft.run.result import Run
 

@@ -1,20 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
-import json
-
 from paraview import servermanager, simple
 
 from waft import reading
 from waft.failures import BadInput, WaftError
 from waft.loading import data_file
-from waft.results.writing import AIR_INTERVAL, read_rows
+from waft.results.writing import AIR_INTERVAL
+from waft.run._chain import ATTRIBUTES, STAGES
 from waft.run.database import check_database, settle_database
 from waft.texts import say
 from waft.watching import StageWatch
 
-# The stages of the table as they are called here.
-_ATTRIBUTES = {"Scene": "reader", "Planner": "planner", "Assimilation": "assimilation", "Spacetime": "spacetime", "Rotation": "rotation",
-               "VortexFit": "fit"}
 NO_MEMORY = "found too little memory for it"  # how stages say so
 
 
@@ -156,7 +152,7 @@ class Pipeline:
 
     def _join(self, name, **given):
         """A stage of the table, its inputs from the stages that there are; given: inputs that are others."""
-        stage = stages()[name]
+        stage = STAGES[name]
         inputs = {}
         for own, alternatives in stage["inputs"].items():
             there = next((givers for givers in alternatives if all(self._is_there(*giver) for giver in givers)), [])
@@ -169,7 +165,7 @@ class Pipeline:
         return self._add(made)
 
     def _is_there(self, name, port):
-        return getattr(self, _ATTRIBUTES[name]) is not None or (name == "Planner" and port in self._taken)
+        return getattr(self, ATTRIBUTES[name]) is not None or (name == "Planner" and port in self._taken)
 
     def _is_left_out(self, own, name, port):
         """Whether an input that a stage may go without has nothing in it."""
@@ -181,7 +177,7 @@ class Pipeline:
 
     def _port(self, name, port):
         """An output of a stage of the table, or the reader of what an earlier run left of it."""
-        stage = getattr(self, _ATTRIBUTES[name])
+        stage = getattr(self, ATTRIBUTES[name])
         return self._taken[port] if stage is None else simple.OutputPort(stage, port)
 
     @property
@@ -196,30 +192,6 @@ class Pipeline:
         """The data object of an output of the stage that moves the objects; of a plan also where an earlier run left it."""
         name, *_ = self.motion
         return self.planned(port) if name == "planner" else self.output(name, port)
-
-    def moved_report(self):
-        """The report of the stage that moves the objects, one dictionary a row, all texts."""
-        name, _, _, port = self.motion
-        return [dict(row) for row in self.plan_report] if name == "planner" else read_rows(self.output(name, port))
-
-
-def stages():
-    """{name: what the table of the chain says of a stage}."""
-    from waft.vtkWaftFilters import vtkMotionAnimationSource
-
-    return {stage["name"]: stage for stage in json.loads(vtkMotionAnimationSource.GetStages())["stages"]}
-
-
-def shares():
-    """{attribute of a Pipeline: the part of the time that its stage takes, roughly}."""
-    return {"database": 1, **{_ATTRIBUTES[name]: stage["share"] for name, stage in stages().items()}}
-
-
-def settings_of(quality, name):
-    """{property: value} that a stage of the table has at a quality besides its defaults."""
-    from waft.vtkWaftFilters import vtkMotionAnimationSource
-
-    return json.loads(vtkMotionAnimationSource.GetStages())["settings"][quality].get(name, {})
 
 
 def _database_reader(path):

@@ -11,7 +11,7 @@ from typing import (
 
 from waft.run._options import Option, option
 from waft.failures import BadInput
-from waft.run._qualities import KEPT, QUALITIES, WITHOUT, quality_of
+from waft.run._chain import KEPT, QUALITIES, WITHOUT, quality_of
 from waft.scene import Scene
 from waft.texts import is_utf8
 

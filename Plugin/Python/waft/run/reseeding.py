@@ -4,7 +4,7 @@ from waft.failures import BadInput, WaftError
 from waft.results.writing import planned_objects, read_rows
 from waft.run._constraints import constraint_report
 from waft.run._flight import Flight
-from waft.run._qualities import word_in_keys
+from waft.run._chain import word_in_keys
 from waft.run.pipeline import NO_MEMORY
 from waft.run.request import STATED
 from waft.run.resuming import run_key
@@ -21,6 +21,7 @@ def fly_by(flight: Flight, seed: int) -> None:
     STATED["seed"].check("seed", seed)
     _check(flight)
     pipeline, before = flight.pipeline, flight.seed
+    planned = pipeline.plan_report, pipeline.plan_objects
     stages = [name for name in _STAGES if getattr(pipeline, name) is not None]
     warnings = []
     _sow(pipeline, stages, seed)
@@ -32,12 +33,12 @@ def fly_by(flight: Flight, seed: int) -> None:
             finally:
                 for watch in pipeline.watches.values():
                     watch.release()
+        pipeline.plan_report, pipeline.plan_objects = read_rows(pipeline.output("planner", 2)), planned_objects(pipeline)
         report = constraint_report(pipeline)
     except BaseException:
+        pipeline.plan_report, pipeline.plan_objects = planned
         _sow(pipeline, stages, before)
         raise
-    pipeline.plan_report = read_rows(pipeline.output("planner", 2))
-    pipeline.plan_objects = planned_objects(pipeline)
     flight.seed, flight.report, flight.warnings = seed, report, warnings
     flight.key = run_key(pipeline, seed, word_in_keys(flight.quality))
 

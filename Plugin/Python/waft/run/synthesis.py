@@ -11,12 +11,11 @@ from waft import failures
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
 from waft.processes import is_team, share
-from waft.reading import found_json
 from waft.results._records import REPORT, record_of
 from waft.results.store import Store
 from waft.results.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
+from waft.run._chain import WITHOUT, settings_of, shares, word_in_keys
 from waft.run._constraints import constraint_report
-from waft.run._qualities import WITHOUT, word_in_keys
 from waft.run.request import Request, by_options
 from waft.run.resuming import Checkpoint, run_key
 from waft.scene import Scene
@@ -64,7 +63,7 @@ class _Course:
 def _fly(request, scene_folder=None):
     """A scene that is a file."""
     from waft.run._flight import Flight
-    from waft.run.pipeline import Pipeline, shares
+    from waft.run.pipeline import Pipeline
     from waft.run.result import Result
 
     scene, output, quality = request.scene, request.output, request.way
@@ -220,8 +219,6 @@ def _run(pipeline, course, is_found):
 
 
 def _assimilate(pipeline, course):
-    from waft.run.pipeline import settings_of
-
     pipeline.add_assimilation(course.seed)
     share(pipeline.assimilation.GetClientSideObject())
     if course.edit_of is not None:
@@ -247,8 +244,6 @@ def _optimise(pipeline, course):
 
 
 def _fit(pipeline, course):
-    from waft.run.pipeline import settings_of
-
     pipeline.add_fit(course.seed)
     pipeline.watch("fit", course.clock)
     for setting, value in settings_of(course.request.way, "VortexFit").items():
@@ -277,12 +272,8 @@ def _check_room(pipeline, settings):
     for name, value in settings.items():
         getattr(optimiser, f"Set{name}")(value)
     objects = pipeline.output("reader")
-    fields = objects.GetFieldData()
-    bounds = [fields.GetArray("Bounds").GetValue(i) for i in range(6)]
-    scene = found_json(pipeline.reader.FileName) or {}
-    ground = scene.get("ground", {})
-    if ground.get("enabled", True):
-        bounds[4] = max(bounds[4], ground.get("height", bounds[4]))
-    lack = optimiser.CheckRoom(bounds, fields.GetArray("NumberOfFrames").GetValue(0), objects.GetNumberOfPoints())
+    frames = objects.GetFieldData().GetArray("NumberOfFrames").GetValue(0)
+    volume = pipeline.reader.GetClientSideObject().GetVolumeAboveGround()
+    lack = optimiser.CheckRoom(volume, frames, objects.GetNumberOfPoints())
     if lack:
         raise failures.BadInput(f"{pipeline.reader.FileName}: {lack}")

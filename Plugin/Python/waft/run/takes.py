@@ -26,7 +26,7 @@ from waft.loading import version
 from waft.reading import json_of
 from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.results._records import FLOWN, MEASURED, TAKES, checked, record_of
-from waft.run._qualities import word_in_keys
+from waft.run._chain import word_in_keys
 from waft.scene import Scene
 from waft.texts import cell, line
 from waft.watching import STOPS, interruptible
