@@ -14,9 +14,10 @@
 
 vtkStandardNewMacro(vtkActorOfParts);
 
-void vtkActorOfParts::SetParts(std::vector<vtkSmartPointer<vtkActor>> parts, double reach)
+void vtkActorOfParts::SetParts(Actors parts, Actors veils, double reach)
 {
   this->Parts = std::move(parts);
+  this->Veils = std::move(veils);
   this->Reach = reach;
   this->Modified();
 }
@@ -24,7 +25,7 @@ void vtkActorOfParts::SetParts(std::vector<vtkSmartPointer<vtkActor>> parts, dou
 double* vtkActorOfParts::GetBounds()
 {
   double* bounds = this->Superclass::GetBounds();
-  if (bounds == nullptr || this->Parts.empty() || vtkMath::AreBoundsInitialized(bounds) == 0)
+  if (bounds == nullptr || !this->HasParts() || vtkMath::AreBoundsInitialized(bounds) == 0)
   {
     return bounds;
   }
@@ -38,13 +39,14 @@ double* vtkActorOfParts::GetBounds()
 bool vtkActorOfParts::DrawsParts(vtkViewport* viewport) const
 {
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
-  return !this->Parts.empty() && (renderer == nullptr || renderer->GetSelector() == nullptr);
+  return this->HasParts() && (renderer == nullptr || renderer->GetSelector() == nullptr);
 }
 
-int vtkActorOfParts::Draw(vtkViewport* viewport, int (vtkActor::*draw)(vtkViewport*))
+int vtkActorOfParts::Draw(const Actors& parts, vtkViewport* viewport,
+                          int (vtkActor::*draw)(vtkViewport*))
 {
   int drawn = 0;
-  for (vtkActor* part : this->Parts)
+  for (vtkActor* part : parts)
   {
     part->SetUserMatrix(this->GetMatrix());
     part->SetPropertyKeys(this->GetPropertyKeys());
@@ -55,29 +57,37 @@ int vtkActorOfParts::Draw(vtkViewport* viewport, int (vtkActor::*draw)(vtkViewpo
 
 int vtkActorOfParts::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  return this->DrawsParts(viewport) ? this->Draw(viewport, &vtkActor::RenderOpaqueGeometry)
-                                    : this->Superclass::RenderOpaqueGeometry(viewport);
+  return this->DrawsParts(viewport)
+           ? this->Draw(this->Parts, viewport, &vtkActor::RenderOpaqueGeometry)
+           : this->Superclass::RenderOpaqueGeometry(viewport);
 }
 
 int vtkActorOfParts::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
 {
   return this->DrawsParts(viewport)
-           ? this->Draw(viewport, &vtkActor::RenderTranslucentPolygonalGeometry)
+           ? this->Draw(this->Parts, viewport, &vtkActor::RenderTranslucentPolygonalGeometry)
            : this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+}
+
+// The last pass: those before it are gone over again where something translucent is sorted.
+int vtkActorOfParts::RenderOverlay(vtkViewport* viewport)
+{
+  return this->DrawsParts(viewport)
+           ? this->Draw(this->Veils, viewport, &vtkActor::RenderTranslucentPolygonalGeometry)
+           : this->Superclass::RenderOverlay(viewport);
 }
 
 vtkTypeBool vtkActorOfParts::HasTranslucentPolygonalGeometry()
 {
-  return this->Parts.empty()
-           ? this->Superclass::HasTranslucentPolygonalGeometry()
-           : std::any_of(this->Parts.begin(), this->Parts.end(),
-                         [](vtkActor* part)
-                         { return part->HasTranslucentPolygonalGeometry() != 0; });
+  return !this->HasParts() ? this->Superclass::HasTranslucentPolygonalGeometry()
+                           : std::any_of(this->Parts.begin(), this->Parts.end(),
+                                         [](vtkActor* part)
+                                         { return part->HasTranslucentPolygonalGeometry() != 0; });
 }
 
 vtkTypeBool vtkActorOfParts::HasOpaqueGeometry()
 {
-  return this->Parts.empty()
+  return !this->HasParts()
            ? this->Superclass::HasOpaqueGeometry()
            : std::any_of(this->Parts.begin(), this->Parts.end(),
                          [](vtkActor* part) { return part->HasOpaqueGeometry() != 0; });
@@ -85,30 +95,36 @@ vtkTypeBool vtkActorOfParts::HasOpaqueGeometry()
 
 void vtkActorOfParts::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkActor* part : this->Parts)
+  for (const Actors* parts : { &this->Parts, &this->Veils })
   {
-    part->ReleaseGraphicsResources(window);
+    for (vtkActor* part : *parts)
+    {
+      part->ReleaseGraphicsResources(window);
+    }
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 void vtkActorOfParts::BuildPaths(vtkAssemblyPaths* paths, vtkAssemblyPath* path)
 {
-  if (this->Parts.empty())
+  if (!this->HasParts())
   {
     this->Superclass::BuildPaths(paths, path);
     return;
   }
   const vtkNew<vtkMatrix4x4> asHere; // the path so far has this actor's own
-  for (vtkActor* part : this->Parts)
+  for (const Actors* parts : { &this->Parts, &this->Veils })
   {
-    if (this->GetVisibility() != 0) // of which a part knows nothing
+    for (vtkActor* part : *parts)
     {
-      part->SetUserMatrix(this->GetMatrix());
-      vtkNew<vtkAssemblyPath> toPart;
-      toPart->ShallowCopy(path);
-      toPart->AddNode(part, asHere);
-      paths->AddItem(toPart);
+      if (this->GetVisibility() != 0) // of which a part knows nothing
+      {
+        part->SetUserMatrix(this->GetMatrix());
+        vtkNew<vtkAssemblyPath> toPart;
+        toPart->ShallowCopy(path);
+        toPart->AddNode(part, asHere);
+        paths->AddItem(toPart);
+      }
     }
   }
 }
@@ -116,5 +132,5 @@ void vtkActorOfParts::BuildPaths(vtkAssemblyPaths* paths, vtkAssemblyPath* path)
 void vtkActorOfParts::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Parts: " << this->Parts.size() << "\n";
+  os << indent << "Parts: " << this->Parts.size() << ", veils: " << this->Veils.size() << "\n";
 }

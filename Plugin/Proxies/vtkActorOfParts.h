@@ -23,13 +23,17 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// reach: how far beyond the mapper's data they are drawn [m], so that a part of a picture that
-  /// has a part's edge alone has it, too.
-  void SetParts(std::vector<vtkSmartPointer<vtkActor>> parts, double reach);
+  /// has a part's edge alone has it, too. veils: drawn over all that is opaque or translucent and
+  /// nearer than what is behind, in no order: for what is so faint that order is not seen, which
+  /// saves the passes over the picture that order takes.
+  void SetParts(std::vector<vtkSmartPointer<vtkActor>> parts,
+                std::vector<vtkSmartPointer<vtkActor>> veils, double reach);
 
   using Superclass::GetBounds;
   double* GetBounds() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
   vtkTypeBool HasOpaqueGeometry() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -44,10 +48,14 @@ private:
   vtkActorOfParts(const vtkActorOfParts&) = delete;
   void operator=(const vtkActorOfParts&) = delete;
 
-  bool DrawsParts(vtkViewport* viewport) const;
-  int Draw(vtkViewport* viewport, int (vtkActor::*draw)(vtkViewport*));
+  using Actors = std::vector<vtkSmartPointer<vtkActor>>;
 
-  std::vector<vtkSmartPointer<vtkActor>> Parts;
+  bool HasParts() const { return !this->Parts.empty() || !this->Veils.empty(); }
+  bool DrawsParts(vtkViewport* viewport) const;
+  int Draw(const Actors& parts, vtkViewport* viewport, int (vtkActor::*draw)(vtkViewport*));
+
+  Actors Parts;
+  Actors Veils;
   double Reach = 0.0;
   double Reached[6];
 };

@@ -92,14 +92,15 @@ void vtkPartsRepresentation::Make(vtkDataObject* data, double time)
     this->Of = data;
     this->Time = time;
     this->MakeTime.Modified();
-    std::vector<vtkSmartPointer<vtkActor>> actors;
+    std::vector<vtkSmartPointer<vtkActor>> actors, veils;
     double reach = 0.0;
     for (const Part& part : this->Made)
     {
-      actors.push_back(part.Actor);
+      (part.IsVeil ? veils : actors).push_back(part.Actor);
       reach = std::max(reach, part.Reach);
     }
-    static_cast<vtkActorOfParts*>(this->Actor)->SetParts(std::move(actors), reach);
+    static_cast<vtkActorOfParts*>(this->Actor)
+      ->SetParts(std::move(actors), std::move(veils), reach);
   }
   if (this->PaintTime < this->MakeTime || this->PaintTime < this->Property->GetMTime())
   {
@@ -139,8 +140,8 @@ void vtkPartsRepresentation::Paint(const Part& part)
   look->SetColor(color[0] * part.Color[0], color[1] * part.Color[1], color[2] * part.Color[2]);
   look->SetOpacity(part.Opacity * this->Property->GetOpacity());
   look->SetLighting(part.IsLit && this->Property->GetLighting());
-  part.Actor->SetForceTranslucent(part.IsBlended);
-  part.Actor->SetForceOpaque(!part.IsBlended && look->GetOpacity() >= Film);
+  // What is opaque is blended, too: by itself it needs no passes that sort what is behind it.
+  part.Actor->SetForceOpaque(part.IsPool || look->GetOpacity() >= Film);
 }
 
 void vtkPartsRepresentation::PrintSelf(ostream& os, vtkIndent indent)

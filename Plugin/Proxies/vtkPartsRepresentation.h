@@ -39,8 +39,9 @@ protected:
     double Color[3] = { 1.0, 1.0, 1.0 }; // times the colour of the representation
     double Opacity = 1.0;                // likewise
     bool IsLit = true;
-    bool IsBlended = false; // by the alpha of its texture
-    double Reach = 0.0;     // how far beyond the data it is drawn [m]
+    bool IsPool = false; // lies under all else, and is blended into it by its texture's alpha
+    bool IsVeil = false; // faint all over, drawn in no order
+    double Reach = 0.0;  // how far beyond the data it is drawn [m]
   };
   using Parts = std::vector<Part>;
 

@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataConnectivityFilter.h>
+#include <vtkShaderProperty.h>
 #include <vtkTexture.h>
 
 #include <algorithm>
@@ -72,6 +73,14 @@ vtkSmartPointer<vtkPolyData> TopOf(vtkPolyData* slab)
   return plane->GetOutput();
 }
 
+/// What is not to be seen of the floor hides nothing.
+void LeaveOutRim(vtkActor* floor)
+{
+  floor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::TCoord::Impl", true, "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.002) discard;\n",
+    false);
+}
+
 vtkSmartPointer<vtkTexture> MakePool()
 {
   vtkNew<vtkImageData> picture;
@@ -127,10 +136,11 @@ void vtkSceneryRepresentation::AddParts(vtkPolyData* block, double, Parts& parts
     Part part;
     std::copy_n(isGround ? Floor : Obstacle, 3, part.Color);
     part.IsLit = !isGround;
-    part.IsBlended = isGround;
+    part.IsPool = isGround;
     part.Opacity = isGround ? 1.0 : Standing;
     const vtkSmartPointer<vtkPolyData> drawn = isGround ? TopOf(surface) : surface;
-    part.Actor = this->ActorFor(parts, drawn, isGround ? this->Pool : nullptr);
+    part.Actor = this->ActorFor(parts, drawn, isGround ? this->Pool : nullptr,
+                                isGround ? LeaveOutRim : nullptr);
     parts.push_back(std::move(part));
   }
 }

@@ -17,6 +17,8 @@
 
 #include <dlfcn.h>
 
+#include <iostream>
+
 namespace
 {
 
@@ -107,8 +109,13 @@ void WaftCheck::Run(const QString& file)
   this->connect(check, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
                 [this, check, file]
                 {
-                  Q_EMIT this->found(file,
-                                     FindingsOf(QString::fromUtf8(check->readAllStandardOutput())));
+                  const QStringList findings =
+                    FindingsOf(QString::fromUtf8(check->readAllStandardOutput()));
+                  for (const QString& finding : findings) // for a terminal, where there is one
+                  {
+                    std::cerr << "waft: " << finding.toStdString() << "\n";
+                  }
+                  Q_EMIT this->found(file, findings);
                   check->deleteLater();
                 });
   check->start(this->Command, { "check", file });
