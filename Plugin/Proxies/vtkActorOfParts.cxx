@@ -57,22 +57,30 @@ int vtkActorOfParts::Draw(const Actors& parts, vtkViewport* viewport,
 
 int vtkActorOfParts::RenderOpaqueGeometry(vtkViewport* viewport)
 {
+  this->AreVeilsDrawn = false;
   return this->DrawsParts(viewport)
            ? this->Draw(this->Parts, viewport, &vtkActor::RenderOpaqueGeometry)
            : this->Superclass::RenderOpaqueGeometry(viewport);
 }
 
+// This pass comes where something is translucent in the view: then veils are sorted with it.
 int vtkActorOfParts::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
 {
-  return this->DrawsParts(viewport)
-           ? this->Draw(this->Parts, viewport, &vtkActor::RenderTranslucentPolygonalGeometry)
-           : this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+  if (!this->DrawsParts(viewport))
+  {
+    return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+  }
+  this->AreVeilsDrawn = true;
+  const int parts =
+    this->Draw(this->Parts, viewport, &vtkActor::RenderTranslucentPolygonalGeometry);
+  return std::max(parts,
+                  this->Draw(this->Veils, viewport, &vtkActor::RenderTranslucentPolygonalGeometry));
 }
 
-// The last pass: those before it are gone over again where something translucent is sorted.
+// The last pass, else.
 int vtkActorOfParts::RenderOverlay(vtkViewport* viewport)
 {
-  return this->DrawsParts(viewport)
+  return this->DrawsParts(viewport) && !this->AreVeilsDrawn
            ? this->Draw(this->Veils, viewport, &vtkActor::RenderTranslucentPolygonalGeometry)
            : this->Superclass::RenderOverlay(viewport);
 }

@@ -23,9 +23,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// reach: how far beyond the mapper's data they are drawn [m], so that a part of a picture that
-  /// has a part's edge alone has it, too. veils: drawn over all that is opaque or translucent and
-  /// nearer than what is behind, in no order: for what is so faint that order is not seen, which
-  /// saves the passes over the picture that order takes.
+  /// has a part's edge alone has it, too. veils: so faint
+  /// that their order is not seen; they ask for no passes over the picture that sort what is
+  /// translucent, but are drawn with what does.
   void SetParts(std::vector<vtkSmartPointer<vtkActor>> parts,
                 std::vector<vtkSmartPointer<vtkActor>> veils, double reach);
 
@@ -56,6 +56,7 @@ private:
 
   Actors Parts;
   Actors Veils;
+  bool AreVeilsDrawn = false; // of the picture that is being drawn
   double Reach = 0.0;
   double Reached[6];
 };
