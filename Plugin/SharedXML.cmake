@@ -30,6 +30,9 @@ set(WAFT_SLICES [=[
       <Property name="Hold" command="Hold" panel_visibility="never">
         <Documentation>Work that goes on beside waits, from its next tick on, until an update after GoOn.</Documentation>
       </Property>
+      <Property name="LetGo" command="LetGo" panel_visibility="never">
+        <Documentation>Discards the work that has not ended and what there is of the motion; the next update begins anew.</Documentation>
+      </Property>
       <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="advanced">
         <SimpleIntInformationHelper/>
         <Documentation>1: nothing is left to do, the last update gave the whole result or failed; 0: it gave the motion so far.</Documentation>

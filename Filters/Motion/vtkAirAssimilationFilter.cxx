@@ -92,6 +92,11 @@ struct vtkAirAssimilationFilter::Internals : waft::KeptStage
   void Publish() override;
   waft::Result PublishFrom(vtkInformationVector** inputs) override;
   bool IsActive() const override { return this->Self->Active; }
+  void Clear() override
+  {
+    this->Solution = waft::AssimilationOutput();
+    this->Memory = waft::AssimilationState();
+  }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
 

@@ -47,7 +47,16 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   bool Wants(waft::ChainStage stage) const override;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
+  void Clear() override;
 };
+
+void vtkMotionAnimationSource::Internals::Clear()
+{
+  this->MotionOutputs::Clear();
+  this->Memory = waft::ChainMemory();
+  this->Database = waft::MotionDatabase();
+  this->HasDatabase = false;
+}
 
 /// True where the file was read now.
 bool vtkMotionAnimationSource::Internals::Load()

@@ -99,6 +99,14 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   waft::Result PublishFrom(vtkInformationVector** inputs) override;
   void FillPublished(double time, vtkInformationVector* outputs) const override;
   bool IsActive() const override { return this->Self->Active; }
+  void Clear() override
+  {
+    this->Tracks.clear();
+    this->Air = waft::AirOnTracks();
+    this->Rotation = waft::RotationOutput();
+    this->Input = waft::RotationInput();
+    this->PublishedPoses.clear();
+  }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
 

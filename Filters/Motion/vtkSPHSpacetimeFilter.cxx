@@ -87,6 +87,7 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   double Slice() const override { return this->Self->Slice; }
   void Publish() override;
   void Forget() override { this->Memory = waft::SpacetimeWarmStart(); }
+  void Clear() override { this->Solution = waft::SpacetimeOutput(); }
   waft::Result PublishFrom(vtkInformationVector** inputs) override;
   bool IsActive() const override { return this->Self->Active; }
   waft::Result Agree(const waft::Result& own) override;

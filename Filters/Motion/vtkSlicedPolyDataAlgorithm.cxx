@@ -6,6 +6,8 @@
 #include "Bridge/Pipeline/StageFailure.h"
 #include "Bridge/Pipeline/StageOptions.h"
 
+#include <vtkDataObject.h>
+
 #include <algorithm>
 
 namespace
@@ -40,6 +42,19 @@ void vtkSlicedPolyDataAlgorithm::GoOn()
 void vtkSlicedPolyDataAlgorithm::Hold()
 {
   this->Kept().Hold();
+}
+
+void vtkSlicedPolyDataAlgorithm::LetGo()
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    if (vtkDataObject* output = this->GetOutputDataObject(port))
+    {
+      output->Initialize();
+    }
+  }
+  this->Kept().LetGo();
+  this->Modified();
 }
 
 int vtkSlicedPolyDataAlgorithm::GetComplete()

@@ -96,6 +96,14 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   double Slice() const override { return this->Self->Slice; }
   void Publish() override;
   bool IsActive() const override { return this->Self->Active; }
+  void Clear() override
+  {
+    this->Memory = waft::PlanCache();
+    this->Plan = waft::PlanOutput();
+    this->Database = waft::MotionDatabase();
+    this->GivenDatabase.clear();
+    this->HasEmbeddedDatabase = false;
+  }
   waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
   waft::Result TakeObstacles();
   void KeepPlan(const waft::PlanOutput& plan);

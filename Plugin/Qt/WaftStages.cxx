@@ -60,6 +60,14 @@ void WorkInSlices(vtkSMProxy* source)
   }
 }
 
+void LetGo(vtkSMProxy* source)
+{
+  if (WorksInSlices(source))
+  {
+    source->InvokeCommand("LetGo");
+  }
+}
+
 WorkOfStages WorkOf(const Stages& stages, std::size_t begun)
 {
   WorkOfStages all;

@@ -23,6 +23,10 @@ Stages UnfinishedStages();
 /// on beside.
 void WorkInSlices(vtkSMProxy* source);
 
+/// A source that is deleted, where it works in slices, ends its work and lets go of its motion: the
+/// window itself may keep it until another is made.
+void LetGo(vtkSMProxy* source);
+
 /// What stages say of their work, all together.
 struct WorkOfStages
 {

@@ -101,6 +101,8 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   pqServerManagerModel* model = core->getServerManagerModel();
   this->connect(model, &pqServerManagerModel::sourceAdded, this, &WaftToolBar::onSourceAdded);
   this->connect(model, &pqServerManagerModel::sourceRemoved, this, &WaftToolBar::onDataUpdated);
+  this->connect(model, &pqServerManagerModel::preSourceRemoved, this,
+                [](pqPipelineSource* source) { waft::LetGo(source->getProxy()); });
   this->connect(model, &pqServerManagerModel::dataUpdated, this, &WaftToolBar::onDataUpdated);
   this->connect(model, &pqServerManagerModel::dataUpdated, this->Check, &WaftCheck::LookAt);
   this->Show(State::Resting, {});

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: gives each Waft Animation that the menu made the file of one scene, in a quality
 that takes long, and lets the script go on when all that was applied flies by itself; notes, a line a look, which of them fly, and what
-the process takes of the processor."""
+the process takes of the machine."""
+import gc
+import os
+import pathlib
 import time
 
 from paraview import simple
@@ -10,6 +13,7 @@ from watching import SCENE, wait_until, watch, write
 import waft
 
 FULL, PAPER = 2, 3  # of Quality
+PAGE = os.sysconf("SC_PAGE_SIZE")
 scene = waft.Scene(seed=5)
 scene.set_time(240)
 scene.add_objects("feather", positions=[(-0.6, 0, 2.6)])
@@ -27,15 +31,21 @@ def at_work():
     return [stage for stage in stages if stage.GetWorkState() != stage.NO_WORK]
 
 
+def megabytes():
+    """That the process has of the machine's."""
+    return int(pathlib.Path("/proc/self/statm").read_text(encoding="ascii").split()[1]) * PAGE / 2 ** 20
+
+
 def look():
     for flight in flights():
         if not flight.FileName:  # for Apply to push
             flight.SMProxy.GetProperty("FileName").SetElement(0, SCENE)
             flight.SMProxy.GetProperty("Quality").SetElement(0, FULL)
     wait_until(lambda: all(stage.GetWorkState() == stage.BESIDE for stage in at_work()))
+    gc.collect()  # a script's own hands on what was deleted
     stages = at_work()
-    write({"flights": len(flights()), "wall": time.monotonic(), "processor": time.process_time(),
-           "is_paper": [stage.GetQuality() == PAPER for stage in stages],
+    write({"flights": len(flights()), "wall": time.monotonic(), "processor": time.process_time(), "megabytes": megabytes(),
+           "threads": len(os.listdir("/proc/self/task")), "is_paper": [stage.GetQuality() == PAPER for stage in stages],
            "beside": len(stages), "work": [stage.GetWorkDone() for stage in stages]})
 
 

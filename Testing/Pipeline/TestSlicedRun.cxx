@@ -419,6 +419,26 @@ TEST(Slices, FlyBesideToTheSameBytes)
   EXPECT_EQ(chain.Poses(), AllAtOnce());
 }
 
+TEST(Slices, AreLetGoOfAndBeginAnew)
+{
+  using Stage = vtkSlicedPolyDataAlgorithm;
+  LongChain chain;
+  WorkBeside(chain);
+  chain.Update(0.5);
+  for (vtkSlicedPolyDataAlgorithm* stage : chain.Sliced())
+  {
+    stage->LetGo();
+    EXPECT_EQ(stage->GetWorkState(), Stage::NO_WORK) << stage->GetClassName();
+    EXPECT_EQ(SceneChain::Poly(stage, 0)->GetNumberOfPoints(), 0) << stage->GetClassName();
+  }
+  for (vtkSlicedPolyDataAlgorithm* stage : chain.Sliced())
+  {
+    stage->SetSlice(0.0);
+  }
+  chain.Update(0.5);
+  EXPECT_EQ(chain.Poses(), AllAtOnce());
+}
+
 // The window looks at the stages alone, and updates them when their work has come to its end.
 TEST(Slices, ArriveWithoutAnUpdate)
 {

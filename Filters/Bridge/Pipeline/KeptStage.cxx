@@ -288,6 +288,7 @@ Result KeptStage::End(vtkInformationVector** inputs, const Result& result)
   {
     this->Cache.MarkCurrent(this->Stage, inputs);
   }
+  GiveMemoryBack();
   return result;
 }
 
@@ -298,6 +299,17 @@ void KeptStage::Discard()
     this->Held.Discard();
     this->Forget();
   }
+}
+
+void KeptStage::LetGo()
+{
+  this->Discard();
+  this->Forget();
+  this->Keep.clear();
+  this->Clear();
+  this->Cache.Forget();
+  this->IsUnfinished = false;
+  GiveMemoryBack();
 }
 
 void KeptStage::GoOn()

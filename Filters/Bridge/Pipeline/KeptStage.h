@@ -10,6 +10,7 @@
 // not complete publishes what that comes to without work.
 #pragma once
 
+#include "Base/MachineMemory.h"
 #include "Base/Motion.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
@@ -57,6 +58,8 @@ public:
   /// Work that goes on beside waits, from its next tick on, until an update shows it and lets it
   /// go.
   void Hold() { this->Held.Hold(); }
+  /// Discards all work, and lets go of what is kept.
+  void LetGo();
   /// Whether what is shown is the whole result.
   bool IsComplete() const { return !this->IsUnfinished; }
   /// Of the work that has not ended, or of what it came to.
@@ -82,6 +85,8 @@ protected:
   virtual Result PublishFrom(vtkInformationVector** inputs);
   /// After work that was held was discarded: what comes must not depend on how far it had come.
   virtual void Forget() {}
+  /// Lets go of what it keeps beside the Kept outputs.
+  virtual void Clear() {}
   /// FillVarying, of what there is so far.
   virtual void FillPublished(double time, vtkInformationVector* outputs) const;
   /// After each pass over what is pulled over time, the first of a run being told: takes from
@@ -113,6 +118,10 @@ protected:
   /// The frame nearest to a time [s].
   int FrameAt(double time) const;
 
+private:
+  GivesMemoryBack Last;
+
+protected:
   SceneInfo Scene;
   FieldSweep Fields;
   std::vector<std::string> Warnings;

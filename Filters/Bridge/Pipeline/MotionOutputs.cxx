@@ -56,6 +56,15 @@ Result MotionOutputs::KeepMotion()
   return Result::Ok();
 }
 
+void MotionOutputs::Clear()
+{
+  this->Made = Motion();
+  this->ShownTracks.clear();
+  this->ShownTracks.shrink_to_fit();
+  this->ShownPoses.clear();
+  this->ShownPoses.shrink_to_fit();
+}
+
 void MotionOutputs::KeepPaths()
 {
   this->KeepScene();

@@ -67,6 +67,7 @@ protected:
 
   void Publish() override;
   void KeepBeforeFailure() override;
+  void Clear() override;
   void FillVarying(double time, vtkInformationVector* outputs) const override;
   void FillPublished(double time, vtkInformationVector* outputs) const override;
 
