@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What loops over floats need of a processor: functions for AVX2 that are chosen at run time, and
-// four floats side by side.
+// What loops over numbers need of a processor: functions for AVX2 that are chosen at run time, and
+// four numbers side by side.
 #pragma once
 
 #include <cstring>
@@ -30,6 +30,8 @@ namespace waft
 
 /// Four floats in the vector extension that GCC and Clang have.
 typedef float Float4 __attribute__((vector_size(16)));
+/// And four doubles, at places that are multiples of 32 bytes whatever a function is compiled for.
+typedef double Double4 __attribute__((vector_size(32), aligned(32)));
 
 inline Float4 Load4(const float* p)
 {

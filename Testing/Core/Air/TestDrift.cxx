@@ -125,6 +125,44 @@ class BandedMatrixOf : public ::testing::TestWithParam<std::size_t>
 {
 };
 
+TEST_P(BandedMatrixOf, FourSideBySideAreTheSameBitsAsEachAlone)
+{
+  constexpr std::size_t n = 45;
+  const std::size_t band = this->GetParam();
+  Random random(5);
+  Banded<FourDoubles> four(n, band);
+  std::vector<BandedMatrix> alone(4, BandedMatrix(n, band));
+  std::vector<FourDoubles> x(n), image;
+  std::vector<std::vector<double>> own(4, std::vector<double>(n)), images(4);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t b = 0; b < 4; ++b)
+    {
+      for (std::size_t j = i > band ? i - band : 0; j <= i; ++j)
+      {
+        const double entry =
+          i == j ? 2.0 * double(band) + random.Uniform() : random.Uniform(-1.0, 1.0);
+        four.At(i, j).Of[b] = alone[b].At(i, j) = entry;
+      }
+      x[i].Of[b] = own[b][i] = random.Normal();
+    }
+  }
+  four.Multiply(x, image);
+  ASSERT_TRUE(four.Factor());
+  four.Solve(x);
+  for (std::size_t b = 0; b < 4; ++b)
+  {
+    alone[b].Multiply(own[b], images[b]);
+    ASSERT_TRUE(alone[b].Factor());
+    alone[b].Solve(own[b]);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      EXPECT_EQ(image[i].Of[b], images[b][i]) << b << " " << i;
+      EXPECT_EQ(x[i].Of[b], own[b][i]) << b << " " << i;
+    }
+  }
+}
+
 TEST_P(BandedMatrixOf, SolvesAsADenseOneDoes)
 {
   constexpr std::size_t n = 40;
@@ -176,6 +214,12 @@ TEST(BandedMatrix, SaysWhatIsNotPositive)
     }
     EXPECT_FALSE(large.Factor()) << at;
   }
+  Banded<FourDoubles> four(40, 8);
+  for (std::size_t i = 0; i < 40; ++i)
+  {
+    four.At(i, i).Of = { 1.0, 1.0, i == 25 ? 0.0 : 1.0, 1.0 };
+  }
+  EXPECT_FALSE(four.Factor()) << "one of them is enough";
 }
 
 TEST(AirSampler, IsTrilinearBetweenFramesWithItsGradient)

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Drift/BandedMatrix.h"
 
-#include "Base/Simd.h"
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -15,12 +12,39 @@ namespace
 
 constexpr std::size_t UsualBand = 8; // of drift
 
+// Functions for every processor and for AVX2 are not templates: these are what they have in common.
+
+WAFT_INLINE bool IsPositive(const double& value)
+{
+  return value > 0.0;
+}
+
+WAFT_INLINE bool IsPositive(const Double4& values)
+{
+  return values[0] > 0.0 && values[1] > 0.0 && values[2] > 0.0 && values[3] > 0.0;
+}
+
+WAFT_INLINE void InvertRoot(double& value)
+{
+  value = 1.0 / std::sqrt(value);
+}
+
+WAFT_INLINE void InvertRoot(Double4& values)
+{
+  Double4 roots;
+  for (int l = 0; l < 4; ++l)
+  {
+    roots[l] = std::sqrt(values[l]);
+  }
+  values = 1.0 / roots;
+}
+
 // The entry (i, j) is at [Band * i + Band + j]: those of a column are `Band` apart, those of a row
 // side by side. Column by column, what follows it is changed at once: sums that do not wait for
 // each other.
 
-template <std::size_t Row, std::size_t Band>
-WAFT_INLINE void ChangeRow(const std::array<double, Band + 1>& column, double* diagonal)
+template <std::size_t Row, std::size_t Band, class Value>
+WAFT_INLINE void ChangeRow(const std::array<Value, Band + 1>& column, Value* diagonal)
 {
   for (std::size_t m = 1; m <= Row; ++m)
   {
@@ -28,22 +52,24 @@ WAFT_INLINE void ChangeRow(const std::array<double, Band + 1>& column, double* d
   }
 }
 
-template <std::size_t Band, std::size_t... Rows>
-WAFT_INLINE void EliminateColumn(double* diagonal, std::index_sequence<Rows...>)
+template <std::size_t Band, class Value, std::size_t... Rows>
+WAFT_INLINE void EliminateColumn(Value* diagonal, std::index_sequence<Rows...>)
 {
-  const double inverse = *diagonal = 1.0 / std::sqrt(*diagonal); // kept as its inverse
-  std::array<double, Band + 1> column;
+  InvertRoot(*diagonal); // kept as its inverse
+  const Value inverse = *diagonal;
+  std::array<Value, Band + 1> column;
   ((column[Rows + 1] = diagonal[(Rows + 1) * Band] *= inverse), ...);
   (ChangeRow<Rows + 1, Band>(column, diagonal), ...);
 }
 
 // The first `count` columns, whose rows are all there.
-WAFT_SIMD_CLONES bool EliminateUsual(double* values, std::size_t count)
+template <class Value>
+WAFT_INLINE bool EliminateFirst(Value* values, std::size_t count)
 {
   for (std::size_t j = 0; j < count; ++j)
   {
-    double* diagonal = values + j * (UsualBand + 1) + UsualBand;
-    if (!(*diagonal > 0.0))
+    Value* diagonal = values + j * (UsualBand + 1) + UsualBand;
+    if (!IsPositive(*diagonal))
     {
       return false;
     }
@@ -52,42 +78,63 @@ WAFT_SIMD_CLONES bool EliminateUsual(double* values, std::size_t count)
   return true;
 }
 
-WAFT_SIMD_CLONES bool EliminateAny(double* values, std::size_t band, std::size_t first,
-                                   std::size_t size)
+WAFT_SIMD_CLONES bool EliminateUsual(double* values, std::size_t count)
 {
-  std::vector<double> column(band + 1);
+  return EliminateFirst(values, count);
+}
+
+WAFT_SIMD_CLONES bool EliminateUsual(Double4* values, std::size_t count)
+{
+  return EliminateFirst(values, count);
+}
+
+template <class Value>
+WAFT_INLINE bool EliminateRest(Value* values, std::size_t band, std::size_t first, std::size_t size)
+{
   for (std::size_t j = first; j < size; ++j)
   {
-    double* diagonal = values + j * (band + 1) + band;
-    if (!(*diagonal > 0.0))
+    Value* diagonal = values + j * (band + 1) + band;
+    if (!IsPositive(*diagonal))
     {
       return false;
     }
-    *diagonal = 1.0 / std::sqrt(*diagonal);
+    InvertRoot(*diagonal);
     const std::size_t rows = std::min(band, size - 1 - j);
     for (std::size_t d = 1; d <= rows; ++d)
     {
-      column[d] = diagonal[d * band] *= *diagonal;
+      const Value own = diagonal[d * band] *= *diagonal;
       for (std::size_t m = 1; m <= d; ++m)
       {
-        diagonal[d * band + m] -= column[d] * column[m];
+        diagonal[d * band + m] -= own * diagonal[m * band];
       }
     }
   }
   return true;
 }
 
+WAFT_SIMD_CLONES bool EliminateAny(double* values, std::size_t band, std::size_t first,
+                                   std::size_t size)
+{
+  return EliminateRest(values, band, first, size);
+}
+
+WAFT_SIMD_CLONES bool EliminateAny(Double4* values, std::size_t band, std::size_t first,
+                                   std::size_t size)
+{
+  return EliminateRest(values, band, first, size);
+}
+
 // What is known of the right hand side's next entries stays in registers.
 
-/// L y = b for the first `count` columns, whose rows are all there.
-WAFT_SIMD_CLONES void SolveDownUsual(const double* values, std::size_t count, double* b)
+template <class Value>
+WAFT_INLINE void SolveFirst(const Value* values, std::size_t count, Value* b)
 {
-  std::array<double, UsualBand> next;
+  std::array<Value, UsualBand> next;
   std::copy_n(b, UsualBand, next.begin());
   for (std::size_t j = 0; j < count; ++j)
   {
-    const double* diagonal = values + j * (UsualBand + 1) + UsualBand;
-    const double value = b[j] = next[0] * *diagonal;
+    const Value* diagonal = values + j * (UsualBand + 1) + UsualBand;
+    const Value value = b[j] = next[0] * *diagonal;
     for (std::size_t d = 1; d < UsualBand; ++d)
     {
       next[d - 1] = next[d] - diagonal[d * UsualBand] * value;
@@ -97,15 +144,15 @@ WAFT_SIMD_CLONES void SolveDownUsual(const double* values, std::size_t count, do
   std::copy(next.begin(), next.end(), b + count);
 }
 
-/// L' x = y for the rows from the last to `UsualBand`.
-WAFT_SIMD_CLONES void SolveUpUsual(const double* values, std::size_t size, double* b)
+template <class Value>
+WAFT_INLINE void SolveLast(const Value* values, std::size_t size, Value* b)
 {
-  std::array<double, UsualBand> next; // [0] is the row's own
+  std::array<Value, UsualBand> next; // [0] is the row's own
   std::reverse_copy(b + size - UsualBand, b + size, next.begin());
   for (std::size_t i = size; i-- > UsualBand;)
   {
-    const double* diagonal = values + i * (UsualBand + 1) + UsualBand;
-    const double value = b[i] = next[0] * *diagonal;
+    const Value* diagonal = values + i * (UsualBand + 1) + UsualBand;
+    const Value value = b[i] = next[0] * *diagonal;
     for (std::size_t d = 1; d < UsualBand; ++d)
     {
       next[d - 1] = next[d] - *(diagonal - d) * value;
@@ -115,75 +162,124 @@ WAFT_SIMD_CLONES void SolveUpUsual(const double* values, std::size_t size, doubl
   std::reverse_copy(next.begin(), next.end(), b);
 }
 
+/// L y = b for the first `count` columns, whose rows are all there.
+WAFT_SIMD_CLONES void SolveDownUsual(const double* values, std::size_t count, double* b)
+{
+  SolveFirst(values, count, b);
+}
+
+WAFT_SIMD_CLONES void SolveDownUsual(const Double4* values, std::size_t count, Double4* b)
+{
+  SolveFirst(values, count, b);
+}
+
+/// L' x = y for the rows from the last to `UsualBand`.
+WAFT_SIMD_CLONES void SolveUpUsual(const double* values, std::size_t size, double* b)
+{
+  SolveLast(values, size, b);
+}
+
+WAFT_SIMD_CLONES void SolveUpUsual(const Double4* values, std::size_t size, Double4* b)
+{
+  SolveLast(values, size, b);
+}
+
+// From the row `UsualBand` on; y has what the rows before give. What a row adds to those before it
+// stays in registers until it is whole.
+template <class Value>
+WAFT_INLINE void MultiplyRows(const Value* values, std::size_t size, const Value* x, Value* y)
+{
+  std::array<Value, UsualBand> sums; // [0]: of the row `UsualBand` before
+  std::copy_n(y, UsualBand, sums.begin());
+  for (std::size_t i = UsualBand; i < size; ++i)
+  {
+    const Value* row = values + i * (UsualBand + 1);
+    const Value here = x[i];
+    Value own = row[UsualBand] * here;
+    for (std::size_t d = 0; d < UsualBand; ++d)
+    {
+      own += row[d] * x[i - UsualBand + d];
+    }
+    y[i - UsualBand] = sums[0] + row[0] * here;
+    for (std::size_t d = 1; d < UsualBand; ++d)
+    {
+      sums[d - 1] = sums[d] + row[d] * here;
+    }
+    sums[UsualBand - 1] = own;
+  }
+  std::copy(sums.begin(), sums.end(), y + size - UsualBand);
+}
+
 WAFT_SIMD_CLONES void MultiplyUsual(const double* values, std::size_t size, const double* x,
                                     double* y)
 {
-  for (std::size_t i = UsualBand; i < size; ++i)
-  {
-    const double* row = values + i * (UsualBand + 1);
-    double sum = row[UsualBand] * x[i];
-    for (std::size_t d = 0; d < UsualBand; ++d)
-    {
-      sum += row[d] * x[i - UsualBand + d];
-      y[i - UsualBand + d] += row[d] * x[i];
-    }
-    y[i] += sum;
-  }
+  MultiplyRows(values, size, x, y);
+}
+
+WAFT_SIMD_CLONES void MultiplyUsual(const Double4* values, std::size_t size, const Double4* x,
+                                    Double4* y)
+{
+  MultiplyRows(values, size, x, y);
 }
 
 } // namespace
 
-bool BandedMatrix::Factor()
+template <class Value>
+bool Banded<Value>::Factor()
 {
-  const std::size_t band = this->Width - 1;
+  const std::size_t band = this->HalfBand();
   std::size_t done = 0;
   if (band == UsualBand && this->N > band)
   {
     done = this->N - band;
-    if (!EliminateUsual(this->Values.data(), done))
+    if (!EliminateUsual(Lanes(this->Values.data()), done))
     {
       return false;
     }
   }
-  return EliminateAny(this->Values.data(), band, done, this->N);
+  return EliminateAny(Lanes(this->Values.data()), band, done, this->N);
 }
 
-void BandedMatrix::Multiply(const std::vector<double>& x, std::vector<double>& y) const
+template <class Value>
+void Banded<Value>::Multiply(const std::vector<Value>& x, std::vector<Value>& y) const
 {
-  const std::size_t band = this->Width - 1;
-  y.assign(this->N, 0.0);
+  const std::size_t band = this->HalfBand();
+  y.assign(this->N, Value{});
+  const auto* from = Lanes(x.data());
+  auto* to = Lanes(y.data());
   const bool isUsual = band == UsualBand && this->N > band;
   for (std::size_t i = 0; i < (isUsual ? band : this->N); ++i)
   {
-    const double* diagonal = this->Values.data() + i * this->Width + band;
-    double sum = *diagonal * x[i];
+    const auto* diagonal = Lanes(this->Values.data()) + i * this->Width + band;
+    auto sum = *diagonal * from[i];
     for (std::size_t d = std::min(band, i); d > 0; --d)
     {
-      const double entry = *(diagonal - d);
-      sum += entry * x[i - d];
-      y[i - d] += entry * x[i];
+      sum += *(diagonal - d) * from[i - d];
+      to[i - d] += *(diagonal - d) * from[i];
     }
-    y[i] += sum;
+    to[i] += sum;
   }
   if (isUsual)
   {
-    MultiplyUsual(this->Values.data(), this->N, x.data(), y.data());
+    MultiplyUsual(Lanes(this->Values.data()), this->N, from, to);
   }
 }
 
-void BandedMatrix::Solve(std::vector<double>& b) const
+template <class Value>
+void Banded<Value>::Solve(std::vector<Value>& right) const
 {
-  const std::size_t band = this->Width - 1;
+  auto* b = Lanes(right.data());
+  const std::size_t band = this->HalfBand();
   const bool isUsual = band == UsualBand && this->N > band;
   std::size_t done = 0;
   if (isUsual)
   {
     done = this->N - band;
-    SolveDownUsual(this->Values.data(), done, b.data());
+    SolveDownUsual(Lanes(this->Values.data()), done, b);
   }
   for (std::size_t j = done; j < this->N; ++j)
   {
-    const double* diagonal = this->Values.data() + j * this->Width + band;
+    const auto* diagonal = Lanes(this->Values.data()) + j * this->Width + band;
     b[j] *= *diagonal;
     const std::size_t rows = std::min(band, this->N - 1 - j);
     for (std::size_t d = 1; d <= rows; ++d)
@@ -194,12 +290,12 @@ void BandedMatrix::Solve(std::vector<double>& b) const
   std::size_t left = this->N;
   if (isUsual)
   {
-    SolveUpUsual(this->Values.data(), this->N, b.data());
+    SolveUpUsual(Lanes(this->Values.data()), this->N, b);
     left = band;
   }
   for (std::size_t i = left; i-- > 0;)
   {
-    const double* diagonal = this->Values.data() + i * this->Width + band;
+    const auto* diagonal = Lanes(this->Values.data()) + i * this->Width + band;
     b[i] *= *diagonal;
     const std::size_t columns = std::min(band, i);
     for (std::size_t d = columns; d > 0; --d)
@@ -208,5 +304,8 @@ void BandedMatrix::Solve(std::vector<double>& b) const
     }
   }
 }
+
+template class Banded<double>;
+template class Banded<FourDoubles>;
 
 } // namespace waft

@@ -36,6 +36,7 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
     path[f] = problem.IsFixed[f] ? problem.Fixed[f] : path[f];
   }
   DriftEquations equations(problem, air, weights);
+  DriftResiduals residuals(problem, air, weights);
   DriftOutcome outcome;
   std::vector<Vec3> trial;
   std::vector<double> step;
@@ -55,7 +56,7 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
       promised = PromiseOf(step, descent, damping.Value);
       trial = path;
       MoveBy(step, trial);
-      cost = equations.Cost(trial);
+      cost = residuals.Cost(trial);
     }
     if (!(cost < outcome.Cost))
     {

@@ -11,18 +11,8 @@ DriftEquations::DriftEquations(const DriftProblem& problem, const AirSampler& ai
   Problem(problem),
   Weights(weights), Residuals(problem, air, weights),
   Frames(static_cast<int>(problem.IsFixed.size())), Step(problem.Time.Step()),
-  Matrix(3 * problem.IsFixed.size(), 3 * DriftResiduals::ReachOf(problem) + 2), Factors(0, 0)
+  Matrix(3 * problem.IsFixed.size(), HalfBandOf(problem)), Factors(0, 0)
 {
-}
-
-double DriftEquations::Cost(const std::vector<Vec3>& x)
-{
-  double cost = 0.0;
-  const auto add = [&](const DriftResidual& residual, double weight)
-  { cost += 0.5 * weight * residual.Value.squaredNorm(); };
-  this->Residuals.VisitFlight(x, false, add);
-  this->Residuals.VisitOthers(x, false, add);
-  return cost;
 }
 
 double DriftEquations::Linearise(const std::vector<Vec3>& x)
@@ -60,7 +50,6 @@ void DriftEquations::AddPush(int frame, const Vec3& normal, double depth, double
 
 bool DriftEquations::Factor(double damping)
 {
-  this->Damping = damping;
   this->Factors = this->Matrix;
   for (int f = 0; f < this->Frames; ++f)
   {
@@ -80,15 +69,6 @@ std::vector<double> DriftEquations::Descent() const
   std::transform(this->Gradients.begin(), this->Gradients.end(), descent.begin(),
                  [](double slope) { return -slope; });
   return descent;
-}
-
-void DriftEquations::Multiply(const std::vector<double>& x, std::vector<double>& y) const
-{
-  this->Matrix.Multiply(x, y);
-  for (std::size_t i = 0; i < y.size(); ++i)
-  {
-    y[i] += this->Damping * x[i];
-  }
 }
 
 // Controls and their changes, without inertia. With c_k = J_k x and G_k the air's gradient, J_k

@@ -17,7 +17,6 @@ class DriftEquations
 public:
   DriftEquations(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights);
 
-  double Cost(const std::vector<Vec3>& x);
   /// Gauss-Newton matrix and gradient; returns the cost.
   double Linearise(const std::vector<Vec3>& x);
   /// To these, of weight / 2 depth^2: the depth falls as the body moves along the normal.
@@ -29,8 +28,11 @@ public:
   std::vector<double> Descent() const;
   /// By the factors, in place.
   void Solve(std::vector<double>& b) const { this->Factors.Solve(b); }
-  /// The matrix with the damping of the factors, times x.
-  void Multiply(const std::vector<double>& x, std::vector<double>& y) const;
+  const BandedMatrix& Lower() const { return this->Matrix; }
+  static std::size_t HalfBandOf(const DriftProblem& problem)
+  {
+    return 3 * static_cast<std::size_t>(DriftResiduals::ReachOf(problem)) + 2;
+  }
 
   bool IsFixed(int frame) const
   {
@@ -48,7 +50,6 @@ private:
   DriftResiduals Residuals;
   int Frames;
   double Step;
-  double Damping = 0.0;
   BandedMatrix Matrix, Factors;
   std::vector<double> Gradients;
   std::vector<Vec3> Controls; // by step, as the air's gradients

@@ -14,6 +14,16 @@ int DriftResiduals::ReachOf(const DriftProblem& problem)
   return reach;
 }
 
+double DriftResiduals::Cost(const std::vector<Vec3>& x)
+{
+  double cost = 0.0;
+  const auto add = [&](const DriftResidual& residual, double weight)
+  { cost += 0.5 * weight * residual.Value.squaredNorm(); };
+  this->VisitFlight(x, false, add);
+  this->VisitOthers(x, false, add);
+  return cost;
+}
+
 Vec3 DriftResiduals::Control(const std::vector<Vec3>& x, int k, DriftResidual* linear) const
 {
   const Vec3& a = x[static_cast<std::size_t>(k)];

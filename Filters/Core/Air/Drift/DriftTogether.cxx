@@ -2,6 +2,7 @@
 #include "Air/Drift/DriftTogether.h"
 
 #include "Air/Drift/DriftEquations.h"
+#include "Air/Drift/FourDrifts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace
 constexpr int MostGradients = 24;     // conjugate ones, of a step
 constexpr double StepAccuracy = 5e-2; // of the right hand side's norm, in which a step is solved
 constexpr double SamePlace = 1e-9;    // m: bodies nearer than this have no direction to part in
-
-using Unknowns = std::vector<std::vector<double>>; // by moving body
 
 struct Push
 {
@@ -38,24 +37,24 @@ Push PushOf(const DriftContact& contact, const std::vector<std::vector<Vec3>>& p
   return push;
 }
 
-// All equations of the bodies that move, and the contacts between them.
+// All equations of the bodies that move, and the contacts between them. Bodies are four side by
+// side, sums over them in their order.
 class TogetherEquations
 {
 public:
   TogetherEquations(const std::vector<TogetherBody>& bodies,
                     const std::vector<DriftContact>& contacts, const AirSampler& air, double weight,
                     const ParallelFor& parallel) :
-    Contacts(contacts),
-    Weight(weight), Parallel(parallel)
+    Bodies(bodies),
+    Contacts(contacts), Air(air), Weight(weight), Parallel(parallel)
   {
-    std::vector<std::size_t> place(bodies.size(), bodies.size());
+    std::vector<std::size_t> place(bodies.size(), Nobody);
     for (std::size_t o = 0; o < bodies.size(); ++o)
     {
       if (bodies[o].Problem)
       {
         place[o] = this->Moving.size();
         this->Moving.push_back(o);
-        this->Own.emplace_back(*bodies[o].Problem, air, bodies[o].Weights);
       }
     }
     this->Touched.resize(this->Moving.size());
@@ -63,39 +62,144 @@ public:
     {
       for (const std::size_t o : { contacts[k].A, contacts[k].B })
       {
-        if (place[o] < this->Moving.size())
+        if (place[o] != Nobody && !this->IsFixed(place[o], contacts[k].Frame))
         {
           const std::size_t other = place[o == contacts[k].A ? contacts[k].B : contacts[k].A];
-          const bool isPair =
-            other < this->Moving.size() && !this->Own[other].IsFixed(contacts[k].Frame);
-          this->Touched[place[o]].push_back({ k, isPair ? other : Alone, o == contacts[k].A });
+          const bool isPair = other != Nobody && !this->IsFixed(other, contacts[k].Frame);
+          this->Touched[place[o]].push_back({ k, isPair ? other : Nobody, o == contacts[k].A });
         }
       }
     }
+    this->Pulls.resize(this->Moving.size());
     this->Pushes.resize(contacts.size());
+    for (std::size_t first = 0; first < this->Size(); first += FourDrifts::Count)
+    {
+      std::size_t halfBand = 0;
+      for (std::size_t m = first; m < this->EndOf(first / FourDrifts::Count); ++m)
+      {
+        halfBand = std::max(halfBand, DriftEquations::HalfBandOf(this->ProblemOf(m)));
+      }
+      this->Fours.emplace_back(this->ProblemOf(first).IsFixed.size(), halfBand);
+    }
   }
-
-  std::size_t Size() const { return this->Moving.size(); }
-  std::size_t BodyOf(std::size_t m) const { return this->Moving[m]; }
 
   double Cost(const std::vector<std::vector<Vec3>>& paths)
   {
-    const double own =
-      this->Sum([&](std::size_t m) { return this->Own[m].Cost(paths[this->Moving[m]]); });
-    return own + this->FindPushes(paths);
+    std::vector<double> costs(this->Size());
+    this->Each(this->Size(),
+               [&](std::size_t m)
+               {
+                 const TogetherBody& body = this->Bodies[this->Moving[m]];
+                 DriftResiduals residuals(*body.Problem, this->Air, body.Weights);
+                 costs[m] = residuals.Cost(paths[this->Moving[m]]);
+               });
+    return std::accumulate(costs.begin(), costs.end(), 0.0) + this->FindPushes(paths);
+  }
+
+  /// About the paths, whose cost has been found last.
+  void Linearise(const std::vector<std::vector<Vec3>>& paths)
+  {
+    this->Each(this->Size(), [&](std::size_t m) { this->Linearise(m, paths[this->Moving[m]]); });
+  }
+
+  /// The step of Levenberg's method, and by how much it should lower the cost; false: the equations
+  /// of a body cannot be solved.
+  bool FindStep(double damping, double& promised)
+  {
+    std::vector<char> isFactored(this->Fours.size());
+    this->Each(this->Fours.size(),
+               [&](std::size_t g) { isFactored[g] = this->Fours[g].Factor(damping) ? 1 : 0; });
+    if (std::find(isFactored.begin(), isFactored.end(), 0) != isFactored.end())
+    {
+      return false;
+    }
+    double left = this->Sum([](FourDrifts& four) { return four.Begin(); });
+    const double enough = StepAccuracy * StepAccuracy * left;
+    double size = 0.0;
+    for (int k = 0; k < MostGradients && left > enough; ++k)
+    {
+      const double next = this->Sum([](FourDrifts& four) { return four.Solve(); });
+      const double part = k > 0 ? next / size : 0.0;
+      size = next;
+      this->Each(this->Fours.size(), [&](std::size_t g) { this->Fours[g].Turn(part); });
+      const double bend = this->Sum([this](FourDrifts& four) { return this->Multiply(four); });
+      left = this->Sum([&](FourDrifts& four) { return four.Go(size / bend); });
+    }
+    promised = this->Sum([](const FourDrifts& four) { return four.Promises(); });
+    return true;
+  }
+
+  /// That step of all that move.
+  void Move(const std::vector<std::vector<Vec3>>& paths, std::vector<std::vector<Vec3>>& moved)
+  {
+    this->Each(this->Size(),
+               [&](std::size_t m)
+               {
+                 const std::size_t o = this->Moving[m];
+                 moved[o] = paths[o];
+                 this->Fours[m / FourDrifts::Count].Move(m % FourDrifts::Count, moved[o]);
+               });
+  }
+
+private:
+  static constexpr std::size_t Nobody = ~std::size_t(0);
+  struct Touch // of a body at a frame at which it may move
+  {
+    std::size_t Contact, Other; // Other: among those that move; Nobody: it gives way by itself
+    bool IsA;
+  };
+  struct Pull // of another that moves
+  {
+    std::size_t Frame, Other;
+    Vec3 Normal;
+  };
+
+  std::size_t Size() const { return this->Moving.size(); }
+  /// After the last of the bodies of the g-th four.
+  std::size_t EndOf(std::size_t g) const
+  {
+    return std::min(FourDrifts::Count * (g + 1), this->Size());
+  }
+  const DriftProblem& ProblemOf(std::size_t m) const
+  {
+    return *this->Bodies[this->Moving[m]].Problem;
+  }
+  bool IsFixed(std::size_t m, int frame) const
+  {
+    return this->ProblemOf(m).IsFixed[static_cast<std::size_t>(frame)] != 0;
+  }
+
+  template <class Work>
+  void Each(std::size_t count, const Work& work)
+  {
+    this->Parallel(count,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     for (std::size_t k = begin; k < end; ++k)
+                     {
+                       work(k);
+                     }
+                   });
+  }
+
+  template <class Work>
+  double Sum(const Work& work)
+  {
+    std::vector<FourDrifts::Sums> parts(this->Fours.size());
+    this->Each(this->Fours.size(), [&](std::size_t g) { parts[g] = work(this->Fours[g]); });
+    double sum = 0.0;
+    for (std::size_t m = 0; m < this->Size(); ++m)
+    {
+      sum += parts[m / FourDrifts::Count][m % FourDrifts::Count];
+    }
+    return sum;
   }
 
   /// How the contacts push about the paths; their cost.
   double FindPushes(const std::vector<std::vector<Vec3>>& paths)
   {
-    this->Parallel(this->Contacts.size(),
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                     for (std::size_t k = begin; k < end; ++k)
-                     {
-                       this->Pushes[k] = PushOf(this->Contacts[k], paths);
-                     }
-                   });
+    this->Each(this->Contacts.size(),
+               [&](std::size_t k) { this->Pushes[k] = PushOf(this->Contacts[k], paths); });
     double cost = 0.0;
     for (const Push& push : this->Pushes)
     {
@@ -104,148 +208,55 @@ public:
     return cost;
   }
 
-  /// About the paths, whose pushes have been found last.
-  void Linearise(const std::vector<std::vector<Vec3>>& paths)
+  void Linearise(std::size_t m, const std::vector<Vec3>& path)
   {
-    this->Each(
-      [&](std::size_t m)
-      {
-        (void)this->Own[m].Linearise(paths[this->Moving[m]]);
-        for (const Touch& touch : this->Touched[m])
-        {
-          const Push& push = this->Pushes[touch.Contact];
-          if (push.Depth > 0.0)
-          {
-            this->Own[m].AddPush(this->Contacts[touch.Contact].Frame,
-                                 touch.IsA ? push.Normal : Vec3(-push.Normal), push.Depth,
-                                 this->Weight);
-          }
-        }
-      });
-  }
-
-  /// The step of Levenberg's method, and by how much it should lower the cost; false: the equations
-  /// of a body cannot be solved.
-  bool FindStep(double damping, Unknowns& step, double& promised)
-  {
-    std::vector<char> isFactored(this->Size());
-    this->Each([&](std::size_t m) { isFactored[m] = this->Own[m].Factor(damping) ? 1 : 0; });
-    if (std::find(isFactored.begin(), isFactored.end(), 0) != isFactored.end())
-    {
-      return false;
-    }
-    Unknowns descent(this->Size()), along, image(this->Size());
-    step.resize(this->Size());
-    this->Each(
-      [&](std::size_t m)
-      {
-        descent[m] = this->Own[m].Descent();
-        step[m].assign(descent[m].size(), 0.0);
-      });
-    Unknowns rest = descent;
-    const double enough = StepAccuracy * StepAccuracy * this->Dot(rest, rest);
-    Unknowns solved = this->Preconditioned(rest);
-    along = solved;
-    double size = this->Dot(rest, solved);
-    for (int k = 0; k<MostGradients&& this->Dot(rest, rest)> enough; ++k)
-    {
-      this->Each([&](std::size_t m) { this->Multiply(along, m, image[m]); });
-      const double length = size / this->Dot(along, image);
-      this->Each(
-        [&](std::size_t m)
-        {
-          for (std::size_t i = 0; i < step[m].size(); ++i)
-          {
-            step[m][i] += length * along[m][i];
-            rest[m][i] -= length * image[m][i];
-          }
-        });
-      solved = this->Preconditioned(rest);
-      const double next = this->Dot(rest, solved);
-      const double turn = next / size;
-      size = next;
-      this->Each(
-        [&](std::size_t m)
-        {
-          for (std::size_t i = 0; i < along[m].size(); ++i)
-          {
-            along[m][i] = solved[m][i] + turn * along[m][i];
-          }
-        });
-    }
-    promised = this->Sum([&](std::size_t m) { return PromiseOf(step[m], descent[m], damping); });
-    return true;
-  }
-
-private:
-  static constexpr std::size_t Alone = ~std::size_t(0);
-  struct Touch
-  {
-    std::size_t Contact, Other; // Other: among those that move; Alone: it gives way by itself
-    bool IsA;
-  };
-
-  template <class Body>
-  void Each(const Body& body)
-  {
-    this->Parallel(this->Size(),
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                     for (std::size_t m = begin; m < end; ++m)
-                     {
-                       body(m);
-                     }
-                   });
-  }
-
-  template <class Value>
-  double Sum(const Value& value)
-  {
-    std::vector<double> parts(this->Size());
-    this->Each([&](std::size_t m) { parts[m] = value(m); });
-    return std::accumulate(parts.begin(), parts.end(), 0.0);
-  }
-
-  double Dot(const Unknowns& a, const Unknowns& b)
-  {
-    return this->Sum([&](std::size_t m)
-                     { return std::inner_product(a[m].begin(), a[m].end(), b[m].begin(), 0.0); });
-  }
-
-  Unknowns Preconditioned(Unknowns values)
-  {
-    this->Each([&](std::size_t m) { this->Own[m].Solve(values[m]); });
-    return values;
-  }
-
-  void Multiply(const Unknowns& x, std::size_t m, std::vector<double>& y)
-  {
-    this->Own[m].Multiply(x[m], y);
+    DriftEquations equations(this->ProblemOf(m), this->Air, this->Bodies[this->Moving[m]].Weights);
+    (void)equations.Linearise(path);
+    this->Pulls[m].clear();
     for (const Touch& touch : this->Touched[m])
     {
       const Push& push = this->Pushes[touch.Contact];
-      const std::size_t at = 3 * static_cast<std::size_t>(this->Contacts[touch.Contact].Frame);
-      if (push.Depth > 0.0 && touch.Other != Alone &&
-          !this->Own[m].IsFixed(this->Contacts[touch.Contact].Frame))
+      const int frame = this->Contacts[touch.Contact].Frame;
+      if (push.Depth > 0.0)
       {
-        const std::vector<double>& other = x[touch.Other];
-        const double along =
-          this->Weight * push.Normal.dot(Vec3(other[at], other[at + 1], other[at + 2]));
-        for (std::size_t c = 0; c < 3; ++c)
+        equations.AddPush(frame, touch.IsA ? push.Normal : Vec3(-push.Normal), push.Depth,
+                          this->Weight);
+        if (touch.Other != Nobody)
         {
-          y[at + c] -= along * push.Normal[static_cast<int>(c)];
+          this->Pulls[m].push_back({ static_cast<std::size_t>(frame), touch.Other, push.Normal });
         }
       }
     }
+    this->Fours[m / FourDrifts::Count].Set(m % FourDrifts::Count, equations);
   }
 
+  FourDrifts::Sums Multiply(FourDrifts& four)
+  {
+    four.Multiply();
+    const auto g = static_cast<std::size_t>(&four - this->Fours.data());
+    for (std::size_t m = FourDrifts::Count * g; m < this->EndOf(g); ++m)
+    {
+      for (const Pull& pull : this->Pulls[m])
+      {
+        const FourDrifts& with = this->Fours[pull.Other / FourDrifts::Count];
+        const Vec3 along = with.Direction(pull.Other % FourDrifts::Count, pull.Frame);
+        four.Subtract(m % FourDrifts::Count, pull.Frame, pull.Normal,
+                      this->Weight * pull.Normal.dot(along));
+      }
+    }
+    return four.Bend();
+  }
+
+  const std::vector<TogetherBody>& Bodies;
   const std::vector<DriftContact>& Contacts;
+  const AirSampler& Air;
   double Weight;
   const ParallelFor& Parallel;
   std::vector<std::size_t> Moving; // bodies
-  std::vector<DriftEquations> Own; // theirs
+  std::vector<FourDrifts> Fours;   // their equations
   std::vector<std::vector<Touch>> Touched;
-  std::vector<Push> Pushes; // by contact
+  std::vector<std::vector<Pull>> Pulls; // about which the equations are
+  std::vector<Push> Pushes;             // by contact
 };
 
 } // namespace
@@ -274,7 +285,6 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
   double cost = equations.Cost(paths);
   equations.Linearise(paths);
   std::vector<std::vector<Vec3>> trial = paths;
-  Unknowns step;
   for (int iteration = 0; iteration < maximumIterations; ++iteration)
   {
     if (!monitor.Tick(-1.0, ""))
@@ -283,14 +293,9 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
     }
     double next = 1e300;
     double promised = 0.0;
-    if (equations.FindStep(damping.Value, step, promised))
+    if (equations.FindStep(damping.Value, promised))
     {
-      for (std::size_t m = 0; m < equations.Size(); ++m)
-      {
-        const std::size_t o = equations.BodyOf(m);
-        trial[o] = paths[o];
-        MoveBy(step[m], trial[o]);
-      }
+      equations.Move(paths, trial);
       next = equations.Cost(trial);
     }
     if (!(next < cost))
@@ -299,7 +304,6 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
       {
         return true;
       }
-      (void)equations.FindPushes(paths); // that the equations have
       continue;
     }
     const bool isConverged = DriftDamping::IsConverged(cost, next);

@@ -13,7 +13,6 @@ namespace
 
 // The three values and a 0, side by side.
 typedef std::uint32_t Bits4 __attribute__((vector_size(16)));
-typedef double Double4 __attribute__((vector_size(32), aligned(32)));
 
 // As of single ones: Base/Half.h.
 WAFT_INLINE Float4 FromHalf(const Half3& half)
