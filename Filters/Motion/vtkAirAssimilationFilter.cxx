@@ -105,7 +105,7 @@ waft::Result vtkAirAssimilationFilter::Internals::Take(vtkInformationVector** in
 {
   input.Scene = this->Scene;
   WAFT_RETURN_IF_FAILED(
-    waft::TracksFromPolyData(vtkPolyData::GetData(inputs[PlannedPort]), input.Tracks));
+    waft::PathsFromPolyData(vtkPolyData::GetData(inputs[PlannedPort]), input.Tracks, "Tracks"));
   WAFT_RETURN_IF_FAILED(
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), input.Objects));
   WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[RowsPort], input.Constraints));
@@ -128,8 +128,8 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
                                                       waft::Monitor& monitor)
 {
   this->Solution = waft::AssimilationOutput();
-  vtkNew<vtkPointData> planned; // the inputs are those of the request in which the run begins
-  planned->ShallowCopy(vtkPolyData::GetData(inputs[PlannedPort])->GetPointData());
+  vtkNew<vtkPolyData> planned; // the inputs are those of the request in which the run begins
+  planned->ShallowCopy(vtkPolyData::GetData(inputs[PlannedPort]));
   {
     waft::AssimilationInput input;
     WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
@@ -143,12 +143,16 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   }
   this->Rejoin();
   this->Warnings = this->Solution.Warnings;
+  if (this->Solution.Air->Velocity.IsEmpty()) // they are the plan's, with what that says of them
+  {
+    WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(planned, this->Solution.Tracks));
+  }
   auto* tracks = this->Kept<vtkPolyData>(TracksPort);
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
   waft::AddControls(this->Solution.Controls, tracks);
   this->Solution.Tracks = {}; // many, and the output has them
   this->Solution.Controls = {};
-  waft::ShareEqualArrays(planned, tracks->GetPointData());
+  waft::ShareEqualArrays(planned->GetPointData(), tracks->GetPointData());
   waft::AddTouchDowns(this->Solution.Constraints, tracks);
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
                            this->Kept<vtkPolyData>(VorticesPort));

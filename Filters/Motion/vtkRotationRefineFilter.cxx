@@ -92,6 +92,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   ~Internals() override { this->Discard(); }
   waft::Result TakePass(vtkInformationVector** inputs, bool isFirst) override;
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
+  void KeepWhatMeshesNeed();
   waft::Result BuildMeshes(vtkInformationVector** inputs, const waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
@@ -189,9 +190,30 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     waft::AddBodyFactors(this->Rotation.Factors, this->Kept<vtkPolyData>(PosesPort));
     waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
     waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
+    this->KeepWhatMeshesNeed();
   }
   input = waft::RotationInput(); // it points to what ends here
   return result;
+}
+
+// The outputs have the rest, and bodies may be many.
+void vtkRotationRefineFilter::Internals::KeepWhatMeshesNeed()
+{
+  for (waft::Track& track : this->Tracks)
+  {
+    waft::Track path;
+    path.ObjectId = track.ObjectId;
+    path.Positions = std::move(track.Positions);
+    track = std::move(path);
+  }
+  waft::RotationOutput kept;
+  for (waft::PoseTrack& turned : this->Rotation.Poses)
+  {
+    kept.Poses.emplace_back();
+    kept.Poses.back().ObjectId = turned.ObjectId;
+    kept.Poses.back().Orientations = std::move(turned.Orientations);
+  }
+  this->Rotation = std::move(kept);
 }
 
 // Those that are not turned yet keep the orientation that they begin with.

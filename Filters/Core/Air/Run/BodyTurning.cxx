@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr const char* TurningText = "Turning the objects in the air";
+constexpr std::size_t TurnedAtOnce = 1024; // bodies
 
 struct Turning
 {
@@ -24,10 +25,10 @@ struct Turning
   AirOnTracks Air;
 };
 
-/// Bodies that may turn anew, with their touch-downs as they are, in the air about their paths.
-/// flown: with the poses that they have.
-Result SetUp(const AirContext& run, const HalfSeries& series, const std::vector<char>& which,
-             bool flown, AirBodies& bodies, Turning& turning)
+/// Bodies, with their touch-downs as they are, in the air about their paths. flown: with the poses
+/// that they have.
+Result SetUp(const AirContext& run, const HalfSeries& series, bool flown, AirBodies& bodies,
+             Turning& turning)
 {
   RotationInput& input = turning.Input;
   input.Scene = run.Input.Scene;
@@ -36,13 +37,8 @@ Result SetUp(const AirContext& run, const HalfSeries& series, const std::vector<
   input.Glides = !flown;
   input.Prepared = &bodies.Shapes;
   input.Ranks = run.Input.Ranks;
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  for (const std::size_t o : turning.Which)
   {
-    if (!which[o] || bodies.IsKept(o))
-    {
-      continue;
-    }
-    turning.Which.push_back(o);
     const BodyProblem& body = bodies.Problems[o];
     input.Objects.push_back(body.Object());
     input.Tracks.push_back(flown ? FlownTrack(bodies, o) : Track());
@@ -52,7 +48,7 @@ Result SetUp(const AirContext& run, const HalfSeries& series, const std::vector<
   }
   const Timeline& line = run.Input.Scene.Time;
   turning.Air = AirOnTracks(input.Tracks, line);
-  for (int frame = 0; !input.Tracks.empty() && frame < line.NumberOfFrames; ++frame)
+  for (int frame = 0; frame < line.NumberOfFrames; ++frame)
   {
     WAFT_RETURN_IF_FAILED(turning.Air.Add(FieldAt(series, line.Time(frame))));
   }
@@ -69,6 +65,45 @@ RotationOptions OptionsOf(const AirContext& run)
   return options;
 }
 
+/// Turns those that may turn anew, so many at a time: what is needed meanwhile of
+/// each is three times what is kept of it. take(o, i, turned): of the body o, the i-th of those
+/// turned.
+template <class Take>
+Result Turn(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
+            bool flown, AirBodies& bodies, const Take& take)
+{
+  std::size_t next = 0;
+  const RotationOptions options = OptionsOf(run);
+  PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
+  while (next < bodies.Size())
+  {
+    Turning turning;
+    for (; next < bodies.Size() && turning.Which.size() < TurnedAtOnce; ++next)
+    {
+      if (which[next] && !bodies.IsKept(next))
+      {
+        turning.Which.push_back(next);
+      }
+    }
+    if (turning.Which.empty())
+    {
+      break;
+    }
+    WAFT_RETURN_IF_FAILED(SetUp(run, air, flown, bodies, turning));
+    RotationOutput turned;
+    const Result result = RunRotationRefine(turning.Input, options, run.Parallel, monitor, turned);
+    if (!result || result.IsStopped())
+    {
+      return result;
+    }
+    for (std::size_t i = 0; i < turning.Which.size(); ++i)
+    {
+      take(turning.Which[i], i, turned);
+    }
+  }
+  return Result::Ok();
+}
+
 // Whose mean agreement is beyond these degrees.
 Result FindDisagreeing(const AirContext& run, const HalfSeries& air, double degrees,
                        AirBodies& bodies, std::vector<char>& which)
@@ -78,25 +113,20 @@ Result FindDisagreeing(const AirContext& run, const HalfSeries& air, double degr
   {
     return Result::Ok();
   }
-  Turning turning;
-  WAFT_RETURN_IF_FAILED(SetUp(run, air, Everybody(bodies), true, bodies, turning));
-  PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
-  RotationOutput turned;
-  const Result result = turning.Which.empty() ? Result::Ok()
-                                              : RunRotationRefine(turning.Input, OptionsOf(run),
-                                                                  run.Parallel, monitor, turned);
-  if (!result || result.IsStopped())
-  {
-    return result;
-  }
   const double most = degrees * std::acos(-1.0) / 180.0;
-  for (std::size_t i = 0; i < turning.Which.size(); ++i)
+  std::vector<char> found(bodies.Size(), 0);
+  const auto judge = [&](std::size_t o, std::size_t i, const RotationOutput& turned)
   {
     const std::vector<double>& away = turned.Away[i];
     const double sum = std::accumulate(away.begin(), away.end(), 0.0);
-    which[turning.Which[i]] = sum > most * static_cast<double>(away.size()) ? 1 : 0;
+    found[o] = sum > most * static_cast<double>(away.size()) ? 1 : 0;
+  };
+  const Result result = Turn(run, air, Everybody(bodies), true, bodies, judge);
+  if (result && !result.IsStopped())
+  {
+    which = std::move(found);
   }
-  return Result::Ok();
+  return result;
 }
 
 bool IsNobody(const std::vector<char>& which)
@@ -135,30 +165,32 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
   {
     return Result::Ok();
   }
-  Turning turning;
-  WAFT_RETURN_IF_FAILED(SetUp(run, air, which, false, bodies, turning));
-  RotationOutput turned;
-  PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
-  const Result result = turning.Which.empty() ? Result::Ok()
-                                              : RunRotationRefine(turning.Input, OptionsOf(run),
-                                                                  run.Parallel, monitor, turned);
+  std::vector<PoseTrack> poses(bodies.Size());
+  const auto take = [&](std::size_t o, std::size_t i, RotationOutput& turned)
+  {
+    poses[o] = std::move(turned.Poses[i]);
+    poses[o].Torques = {}; // which nobody asks for here
+  };
+  const Result result = Turn(run, air, which, false, bodies, take);
   if (!result || result.IsStopped())
   {
     return result;
   }
   bodies.Poses.resize(bodies.Size());
   const double glide = run.Options.Glide;
-  for (std::size_t i = 0; i < turning.Which.size(); ++i)
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    const std::size_t o = turning.Which[i];
-    PoseTrack& poses = bodies.Poses[o];
-    poses = std::move(turned.Poses[i]);
-    const Vec3 sinking = LawOf(turning.Input.Objects[i]).Velocity(Vec3::Zero());
-    for (Vec3& slip : poses.Slips)
+    if (!which[o] || bodies.IsKept(o))
+    {
+      continue;
+    }
+    const Vec3 sinking = LawOf(bodies.Problems[o].Object()).Velocity(Vec3::Zero());
+    for (Vec3& slip : poses[o].Slips)
     {
       slip = glide * slip + (1.0 - glide) * sinking;
     }
-    bodies.Problems[o].SetSlips(poses.Slips);
+    bodies.Problems[o].SetSlips(poses[o].Slips);
+    bodies.Poses[o] = std::move(poses[o]);
   }
   PartMonitor drifting(run.Caller, -1.0, -1.0, "Letting the objects drift to their marks");
   return DriftOn(run, air, iterations, bodies, drifting);
@@ -189,8 +221,16 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, double degrees, 
     }
     return each;
   };
-  const std::vector<std::vector<Vec3>> paths = bodies.Paths;
-  const std::vector<PoseTrack> poses = bodies.Poses;
+  std::vector<std::vector<Vec3>> paths(bodies.Size());
+  std::vector<PoseTrack> poses(bodies.Size());
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    if (which[o])
+    {
+      paths[o] = bodies.Paths[o];
+      poses[o] = bodies.Poses[o];
+    }
+  }
   const std::vector<double> before = shares();
   const Result turned = TurnAndDrift(run, air, DriftIterations, which, bodies);
   const std::vector<double> after = shares();
