@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCheckedFiles
- * @brief   files for scripts, read as the scene reader reads those that a scene names
+ * @brief   files for scripts, read as the scene reader reads those that a scene names, and written
  *
- * They are looked at before VTK's readers see them, which trust counts, indices and chunks. Each
- * function gives what is wrong, with the place in the file, or an empty text; nothing goes to the
- * console, and `data` stays as it was on failure.
+ * Those that are read are looked at before VTK's readers see them, which trust counts, indices and
+ * chunks. Each function gives what is wrong, with the place in the file, or an empty text; nothing
+ * goes to the console, and `data` stays as it was on failure.
  */
 #ifndef vtkCheckedFiles_h
 #define vtkCheckedFiles_h
@@ -15,9 +15,12 @@
 
 #include <string>
 
+class vtkCollection;
+class vtkDataObject;
 class vtkImageData;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
+class vtkStringArray;
 
 class VTKWAFTSOURCES_EXPORT vtkCheckedFiles : public vtkObject
 {
@@ -33,6 +36,18 @@ public:
   static std::string ReadImage(const std::string& path, vtkImageData* data);
   /** A .png, .jpg, .tif or .bmp of at most 2^26 pixels. */
   static std::string ReadPicture(const std::string& path, vtkImageData* data);
+  /** A .vtp, .vti or .vtt, piece by piece: see Bridge/Files/DataWriting.h. WriteRounded: exact has
+   * the names of the arrays at points that keep all digits, with spaces between. */
+  static std::string Write(const std::string& path, vtkDataObject* data, bool packsWell);
+  static std::string WriteRounded(const std::string& path, vtkDataObject* data,
+                                  const std::string& exact);
+  ///@{
+  /** Files as Write writes them, of one datum each, several at once by threads; gives what is wrong
+   * with the first that could not be written, by its path. */
+  static std::string WriteTogether(vtkStringArray* paths, vtkCollection* data, bool packsWell);
+  /** How many are worth giving to WriteTogether. */
+  static int GetNumberOfThreads();
+  ///@}
   /** The structure of a .vtm and of its blocks' files alone: elements, counts, sizes of arrays. */
   static std::string CheckBlocks(const std::string& path);
 

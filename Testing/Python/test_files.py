@@ -15,7 +15,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 import waft
 from result_files import PolyData
-from waft.files import half, in_single_precision, write_xml
+from waft.files import half, write_rounded, write_xml
 from waft.writing import AIR_INTERVAL, spaced, write_tracks
 
 
@@ -93,7 +93,7 @@ class Files(unittest.TestCase):
 
     def test_rounded_data_are_smaller_files(self):
         write_xml(poses(20, 300), self.folder / "exact.vtp")
-        write_xml(in_single_precision(poses(20, 300)), self.folder / "rounded.vtp")
+        write_rounded(poses(20, 300), self.folder / "rounded.vtp")
         exact, rounded = ((self.folder / name).stat().st_size for name in ("exact.vtp", "rounded.vtp"))
         self.assertLess(rounded, 0.75 * exact)
 

@@ -95,9 +95,18 @@ def write_json(path, content):
 def write_xml(data, path, packs_well=False):
     """A VTK data set in its XML format, compressed, in base64; of a vtkMultiBlockDataSet each block has a file in a folder of the
     name. packs_well: by LZMA, which makes three quarters of what is rounded. Raises OSError when it could not be written: VTK's
-    writers end the process where the disk is full, so that they write to memory here."""
+    writers end the process where the disk is full, so that Waft writes what they give, piece by piece."""
+    from waft.vtkWaftSources import vtkCheckedFiles
+
     path = pathlib.Path(path)
-    _write_whole(path, _blocks_text(data, path) if path.suffix == ".vtm" else _xml_text(data, packs_well))
+    if path.suffix != ".vtm":
+        _check_written(path, vtkCheckedFiles.Write(os.fsencode(path), data, packs_well))
+        return
+    content = _blocks_text(data, path)
+    try:
+        write_text(path, content)
+    except OSError as error:
+        _check_written(path, error.strerror)
 
 
 class XmlSeries:
@@ -107,11 +116,10 @@ class XmlSeries:
     """
 
     def __init__(self, packs_well=False):
-        from waft.vtkWaftFilters import vtkWritersTogether
+        from waft.vtkWaftSources import vtkCheckedFiles
 
-        self._together, self._packs_well = vtkWritersTogether, packs_well
-        self._most = vtkWritersTogether.GetNumberOfThreads()
-        self._waiting = []  # (writer, path)
+        self._files, self._packs_well = vtkCheckedFiles, packs_well
+        self._waiting = []  # (data, path)
 
     def __enter__(self):
         return self
@@ -121,58 +129,50 @@ class XmlSeries:
             self._flush()
 
     def write(self, data, path):
-        self._waiting.append((_xml_writer(data, self._packs_well), pathlib.Path(path)))
-        if len(self._waiting) == self._most:
+        self._waiting.append((data, path))
+        if len(self._waiting) == self._files.GetNumberOfThreads():
             self._flush()
 
     def _flush(self):
-        from vtkmodules.vtkCommonCore import vtkCollection
+        from vtkmodules.vtkCommonCore import vtkCollection, vtkStringArray
 
-        writers = vtkCollection()
-        for writer, _ in self._waiting:
-            writers.AddItem(writer)
-        self._together.Write(writers)
-        for writer, path in self._waiting:
-            _write_whole(path, writer.GetOutputString())
+        together, paths = vtkCollection(), vtkStringArray()
+        for data, path in self._waiting:
+            together.AddItem(data)
+            paths.InsertNextValue(os.fsencode(path))
+        lack = self._files.WriteTogether(paths, together, self._packs_well)
         self._waiting = []
+        if lack:
+            raise OSError(lack)
 
 
-def _write_whole(path, content):
-    try:
-        write_text(path, content)
-    except OSError as error:
-        raise OSError(f"{path}: could not be written: {error.strerror}") from error
+def write_rounded(data, path, exact=()):
+    """Like write_xml, the doubles at points with the precision of floats, which take half the room where they are compressed; points
+    and the arrays named as exact keep all digits."""
+    from waft.vtkWaftSources import vtkCheckedFiles
+
+    _check_written(path, vtkCheckedFiles.WriteRounded(os.fsencode(path), data, " ".join(exact)))
 
 
-def _xml_text(data, packs_well=False):
-    writer = _xml_writer(data, packs_well)
-    writer.Write()
-    return writer.GetOutputString()
-
-
-def _xml_writer(data, packs_well):
-    """Values are within the tags: VTK 9.1 reads none after them with Expat 2.6, nor with Debian's fixes of 2.5."""
-    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtkXMLTableWriter
-
-    writers = {"vtkPolyData": vtkXMLPolyDataWriter, "vtkImageData": vtkXMLImageDataWriter, "vtkTable": vtkXMLTableWriter}
-    writer = writers[data.GetClassName()]()
-    writer.SetInputDataObject(data)
-    writer.SetDataModeToBinary()
-    if packs_well:
-        writer.SetCompressorTypeToLZMA()
-        writer.SetBlockSize(1 << 22)
-    writer.SetCompressionLevel(1)  # a quarter of the usual level's time, files 2 % larger
-    writer.WriteToOutputStringOn()
-    return writer
+def _check_written(path, lack):
+    if lack:
+        raise OSError(f"{path}: could not be written: {lack}")
 
 
 def _blocks_text(data, path):
     """Writes the files of the blocks; returns the text of the file that names them."""
     from vtkmodules.vtkCommonDataModel import vtkPolyData
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
     bare = vtkPolyData()
     bare.SetFieldData(data.GetFieldData())
-    text = _xml_text(bare)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputDataObject(bare)
+    writer.SetDataModeToBinary()
+    writer.SetCompressionLevel(1)  # as of all others
+    writer.WriteToOutputStringOn()
+    writer.Write()
+    text = writer.GetOutputString()
     head = text[:text.index("<PolyData>")].replace('type="PolyData"', 'type="vtkMultiBlockDataSet"')
     head = re.sub(r' version="[^"]*" byte_order', ' version="1.0" byte_order', head)  # before it blocks were named otherwise
     fields = text[text.index("<FieldData>"):text.index("</FieldData>") + len("</FieldData>")] if "<FieldData>" in text else ""
@@ -221,26 +221,6 @@ def in_steps(data, digits, kind=None):
             step = values.dtype.type(2.0 ** (np.floor(np.log2(typical)) - digits))
             rounded = np.rint(values / step) * step
             values[...] = rounded if kind is None else rounded.astype(kind)
-
-
-def in_single_precision(data, exact=()):
-    """A copy of a VTK data set whose point data are doubles with the precision of floats, which take half the room where they
-    are compressed; points and the arrays named as exact keep all digits."""
-    import numpy as np
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
-    copy = data.NewInstance()
-    copy.ShallowCopy(data)
-    for index in range(copy.GetPointData().GetNumberOfArrays()):
-        array = copy.GetPointData().GetArray(index)
-        if array is None or array.GetName() in exact or not array.IsA("vtkDoubleArray"):
-            continue
-        rounded = array.NewInstance()
-        rounded.DeepCopy(array)
-        values = vtk_to_numpy(rounded)
-        values[...] = values.astype(np.float32)
-        copy.GetPointData().AddArray(rounded)
-    return copy
 
 
 def table_rows(table):

@@ -6,7 +6,7 @@ import pathlib
 
 from waft import failures
 from waft.beneath import Folder
-from waft.files import XmlSeries, copy_file, half, in_single_precision, in_steps, table_rows, write_csv, write_pvd, write_xml
+from waft.files import XmlSeries, copy_file, half, in_steps, table_rows, write_csv, write_pvd, write_rounded, write_xml
 from waft.loading import version
 from waft.reading import dynamics, found_json
 from waft.results.place import ResultPlace, settle
@@ -161,7 +161,7 @@ def write_bodies(pipeline, place):
 
 def write_tracks(tracks, path):
     """Tracks or poses as a file: what drives the bodies to 7 digits, the motion itself to all."""
-    write_xml(in_single_precision(tracks, _EXACT), path)
+    write_rounded(tracks, path, _EXACT)
 
 
 def _empty_convergence():
