@@ -21,6 +21,23 @@ std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& a
   return controls;
 }
 
+double ControlInFlight(const DriftProblem& problem, const AirSampler& air,
+                       const std::vector<Vec3>& path)
+{
+  double sum = 0.0;
+  int count = 0;
+  const std::vector<Vec3> controls = DriftControls(problem, air, path);
+  for (std::size_t k = 0; k < controls.size(); ++k)
+  {
+    if (problem.Flight[k] >= 1.0)
+    {
+      sum += controls[k].squaredNorm();
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0.0;
+}
+
 bool IsFreeStep(const DriftProblem& problem, const std::vector<Vec3>& path, int step)
 {
   const auto k = static_cast<std::size_t>(step);
@@ -36,12 +53,12 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
     path[f] = problem.IsFixed[f] ? problem.Fixed[f] : path[f];
   }
   DriftEquations equations(problem, air, weights);
-  DriftResiduals residuals(problem, air, weights);
   DriftOutcome outcome;
   std::vector<Vec3> trial;
   std::vector<double> step;
   DriftDamping damping(problem.Time);
-  outcome.Cost = equations.Linearise(path);
+  equations.LookAt(path);
+  outcome.Cost = equations.Linearise();
   bool done = false;
   while (!done && outcome.Iterations < maximumIterations)
   {
@@ -56,7 +73,8 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
       promised = PromiseOf(step, descent, damping.Value);
       trial = path;
       MoveBy(step, trial);
-      cost = residuals.Cost(trial);
+      equations.LookAt(trial);
+      cost = equations.Cost();
     }
     if (!(cost < outcome.Cost))
     {
@@ -66,20 +84,8 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
     done = damping.IsConverged(outcome.Cost, cost);
     damping.Lower(outcome.Cost - cost, promised);
     path = trial;
-    outcome.Cost = done ? cost : equations.Linearise(path);
+    outcome.Cost = done ? cost : equations.Linearise();
   }
-  double sum = 0.0;
-  int count = 0;
-  const std::vector<Vec3> controls = DriftControls(problem, air, path);
-  for (std::size_t k = 0; k < controls.size(); ++k)
-  {
-    if (problem.Flight[k] >= 1.0)
-    {
-      sum += controls[k].squaredNorm();
-      ++count;
-    }
-  }
-  outcome.Control = count > 0 ? std::sqrt(sum / count) : 0.0;
   return outcome;
 }
 

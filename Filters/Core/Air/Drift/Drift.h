@@ -66,8 +66,7 @@ struct DriftProblem
 
 struct DriftOutcome
 {
-  double Cost = 0.0;    // m^2/s
-  double Control = 0.0; // root mean square over the steps in flight [m/s]
+  double Cost = 0.0; // m^2/s
   int Iterations = 0;
 };
 
@@ -76,6 +75,10 @@ struct DriftOutcome
 /// with the factor f of the ground effect: what the body's law leaves over, in units of velocity.
 std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& air,
                                 const std::vector<Vec3>& path);
+
+/// Their root mean square over the steps in flight [m/s].
+double ControlInFlight(const DriftProblem& problem, const AirSampler& air,
+                       const std::vector<Vec3>& path);
 
 /// Whether it flies in a step by the air alone, above what brakes its landing.
 bool IsFreeStep(const DriftProblem& problem, const std::vector<Vec3>& path, int step);

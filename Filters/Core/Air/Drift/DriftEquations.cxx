@@ -15,7 +15,46 @@ DriftEquations::DriftEquations(const DriftProblem& problem, const AirSampler& ai
 {
 }
 
-double DriftEquations::Linearise(const std::vector<Vec3>& x)
+void DriftEquations::LookAt(const std::vector<Vec3>& x)
+{
+  this->Path = x;
+  this->Residuals.FindDepths(x, this->Depths);
+  if (this->IsInert())
+  {
+    return;
+  }
+  const auto steps = static_cast<std::size_t>(this->Frames - 1);
+  this->Controls.resize(steps);
+  this->AirGradients.resize(steps);
+  for (std::size_t k = 0; k < steps; ++k)
+  {
+    if (this->Problem.Flight[k] > 0.0)
+    {
+      const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
+      this->Controls[k] =
+        (x[k + 1] - x[k]) / this->Step -
+        this->Residuals.Drifting(static_cast<int>(k), middle, &this->AirGradients[k]);
+    }
+  }
+}
+
+double DriftEquations::Cost() const
+{
+  double cost = 0.0;
+  const auto add = [&](const DriftResidual& residual, double weight)
+  { cost += 0.5 * weight * residual.Value.squaredNorm(); };
+  this->Residuals.VisitFlight(
+    [this](int k, DriftResidual*)
+    {
+      return this->IsInert() ? this->Residuals.Control(this->Path, k, nullptr)
+                             : this->Controls[static_cast<std::size_t>(k)];
+    },
+    false, add);
+  this->Residuals.VisitOthers(this->Path, this->Depths, false, add);
+  return cost;
+}
+
+double DriftEquations::Linearise()
 {
   this->Matrix.Clear();
   this->Gradients.assign(this->Matrix.Size(), 0.0);
@@ -25,15 +64,17 @@ double DriftEquations::Linearise(const std::vector<Vec3>& x)
     cost += 0.5 * weight * residual.Value.squaredNorm();
     this->Add(residual, weight);
   };
-  if (this->Problem.ResponseTime > 0.0)
+  if (this->IsInert())
   {
-    this->Residuals.VisitFlight(x, true, add);
+    this->Residuals.VisitFlight([this](int k, DriftResidual* linear)
+                                { return this->Residuals.Control(this->Path, k, linear); },
+                                true, add);
   }
   else
   {
-    cost += this->AddFlight(x);
+    cost += this->AddFlight();
   }
-  this->Residuals.VisitOthers(x, true, add);
+  this->Residuals.VisitOthers(this->Path, this->Depths, true, add);
   return cost;
 }
 
@@ -74,22 +115,10 @@ std::vector<double> DriftEquations::Descent() const
 // Controls and their changes, without inertia. With c_k = J_k x and G_k the air's gradient, J_k
 // is -1/dt - G_k / 2 at frame k and 1/dt - G_k / 2 at the next: all blocks of J' W J, whose
 // weights W couple neighbours in time, come from G_k' G_k and G_k' G_(k-1). Returns the cost.
-double DriftEquations::AddFlight(const std::vector<Vec3>& x)
+double DriftEquations::AddFlight()
 {
   const auto steps = static_cast<std::size_t>(this->Frames - 1);
   const std::vector<double>& flight = this->Problem.Flight;
-  this->Controls.resize(steps);
-  this->AirGradients.resize(steps);
-  for (std::size_t k = 0; k < steps; ++k)
-  {
-    if (flight[k] > 0.0)
-    {
-      const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
-      this->Controls[k] =
-        (x[k + 1] - x[k]) / this->Step -
-        this->Residuals.Drifting(static_cast<int>(k), middle, &this->AirGradients[k]);
-    }
-  }
   const double h = 1.0 / this->Step;
   const Mat3 square = h * h * Mat3::Identity();
   // Of the difference of the controls of steps k - 1 and k.

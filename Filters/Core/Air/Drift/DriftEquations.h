@@ -17,8 +17,11 @@ class DriftEquations
 public:
   DriftEquations(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights);
 
+  /// Looks at a path: the air along it, what it is too near to. What follows is about that path.
+  void LookAt(const std::vector<Vec3>& x);
+  double Cost() const;
   /// Gauss-Newton matrix and gradient; returns the cost.
-  double Linearise(const std::vector<Vec3>& x);
+  double Linearise();
   /// To these, of weight / 2 depth^2: the depth falls as the body moves along the normal.
   void AddPush(int frame, const Vec3& normal, double depth, double weight);
 
@@ -40,7 +43,8 @@ public:
   }
 
 private:
-  double AddFlight(const std::vector<Vec3>& x);
+  bool IsInert() const { return this->Problem.ResponseTime > 0.0; }
+  double AddFlight();
   void Add(const DriftResidual& residual, double weight);
   void AddGradient(std::size_t frame, const Vec3& gradient);
   void AddBlock(std::size_t row, std::size_t column, const Mat3& block);
@@ -52,7 +56,9 @@ private:
   double Step;
   BandedMatrix Matrix, Factors;
   std::vector<double> Gradients;
-  std::vector<Vec3> Controls; // by step, as the air's gradients
+  std::vector<Vec3> Path;
+  std::vector<DriftDepthAt> Depths;
+  std::vector<Vec3> Controls; // by step, as the air's gradients; of an inert body both are empty
   std::vector<Mat3> AirGradients;
 };
 

@@ -19,9 +19,30 @@ double DriftResiduals::Cost(const std::vector<Vec3>& x)
   double cost = 0.0;
   const auto add = [&](const DriftResidual& residual, double weight)
   { cost += 0.5 * weight * residual.Value.squaredNorm(); };
-  this->VisitFlight(x, false, add);
-  this->VisitOthers(x, false, add);
+  std::vector<DriftDepthAt> depths;
+  this->FindDepths(x, depths);
+  this->VisitFlight([&](int k, DriftResidual* linear) { return this->Control(x, k, linear); },
+                    false, add);
+  this->VisitOthers(x, depths, false, add);
   return cost;
+}
+
+void DriftResiduals::FindDepths(const std::vector<Vec3>& x, std::vector<DriftDepthAt>& depths)
+{
+  depths.clear();
+  for (int f = 0; this->Problem.TooNear && f < this->Frames; ++f)
+  {
+    if (this->IsFixed(f))
+    {
+      continue;
+    }
+    this->Found.clear();
+    this->Problem.TooNear(f, x[static_cast<std::size_t>(f)], this->Found);
+    for (const DriftDepth& depth : this->Found)
+    {
+      depths.push_back({ f, depth });
+    }
+  }
 }
 
 Vec3 DriftResiduals::Control(const std::vector<Vec3>& x, int k, DriftResidual* linear) const

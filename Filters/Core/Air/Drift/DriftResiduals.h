@@ -23,6 +23,13 @@ struct DriftResidual
   std::array<Mat3, Reach + 1> Blocks;
 };
 
+/// What a path is too near to at a frame.
+struct DriftDepthAt
+{
+  int Frame = 0;
+  DriftDepth Of;
+};
+
 /// All residuals of a problem with their weights: add(residual, weight) is called for each that is
 /// not 0 throughout, in a fixed order; its Blocks are set where `derivatives`.
 class DriftResiduals
@@ -44,9 +51,9 @@ public:
   /// The velocity that the air, settling and the ground effect give at x in a step.
   Vec3 Drifting(int k, const Vec3& x, Mat3* gradient) const;
 
-  /// Controls and their changes.
-  template <class Add>
-  void VisitFlight(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  /// Controls and their changes. controlAt(k, linear): that of a step, as Control has it.
+  template <class ControlAt, class Add>
+  void VisitFlight(const ControlAt& controlAt, bool derivatives, const Add& add) const
   {
     const std::vector<double>& flight = this->Problem.Flight;
     DriftResidual now, before, change;
@@ -57,7 +64,7 @@ public:
       {
         continue;
       }
-      now.Value = this->Control(x, k, derivatives ? &now : nullptr);
+      now.Value = controlAt(k, derivatives ? &now : nullptr);
       add(now, fraction * this->Step);
       if (k > 0 && flight[static_cast<std::size_t>(k) - 1] > 0.0)
       {
@@ -83,18 +90,21 @@ public:
     }
   }
 
-  /// Accelerations where the control is free, rows and barriers.
+  /// Accelerations where the control is free, rows and barriers. depths: what FindDepths found.
   template <class Add>
-  void VisitOthers(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  void VisitOthers(const std::vector<Vec3>& x, const std::vector<DriftDepthAt>& depths,
+                   bool derivatives, const Add& add) const
   {
     this->VisitBraking(x, derivatives, add);
     this->VisitRows(x, derivatives, add);
-    this->VisitBarriers(x, derivatives, add);
+    this->VisitBarriers(depths, derivatives, add);
   }
+  /// All that the path is too near to, frame by frame.
+  void FindDepths(const std::vector<Vec3>& x, std::vector<DriftDepthAt>& depths);
 
 private:
   template <class Add>
-  void VisitBraking(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  void VisitBraking(const std::vector<Vec3>& x, bool derivatives, const Add& add) const
   {
     const double scale = 1.0 / (this->Step * this->Step);
     DriftResidual bend;
@@ -119,7 +129,7 @@ private:
   }
 
   template <class Add>
-  void VisitRows(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  void VisitRows(const std::vector<Vec3>& x, bool derivatives, const Add& add) const
   {
     DriftResidual linear;
     for (const DriftRow& row : this->Problem.Rows)
@@ -152,32 +162,20 @@ private:
   }
 
   template <class Add>
-  void VisitBarriers(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  void VisitBarriers(const std::vector<DriftDepthAt>& depths, bool derivatives,
+                     const Add& add) const
   {
-    if (!this->Problem.TooNear)
-    {
-      return;
-    }
     DriftResidual linear;
-    for (int f = 0; f < this->Frames; ++f)
+    for (const DriftDepthAt& at : depths)
     {
-      if (this->IsFixed(f))
+      linear.Value = at.Of.Depth * at.Of.Normal;
+      if (derivatives)
       {
-        continue;
+        linear.First = at.Frame;
+        linear.Count = 1;
+        linear.Blocks[0] = -at.Of.Normal * at.Of.Normal.transpose();
       }
-      this->Depths.clear();
-      this->Problem.TooNear(f, x[static_cast<std::size_t>(f)], this->Depths);
-      for (const DriftDepth& depth : this->Depths)
-      {
-        linear.Value = depth.Depth * depth.Normal;
-        if (derivatives)
-        {
-          linear.First = f;
-          linear.Count = 1;
-          linear.Blocks[0] = -depth.Normal * depth.Normal.transpose();
-        }
-        add(linear, this->Weights.Barrier);
-      }
+      add(linear, this->Weights.Barrier);
     }
   }
 
@@ -191,7 +189,7 @@ private:
   const DriftWeights& Weights;
   int Frames;
   double Step;
-  std::vector<DriftDepth> Depths;
+  std::vector<DriftDepth> Found; // at a frame
 };
 
 } // namespace waft

@@ -211,7 +211,8 @@ private:
   void Linearise(std::size_t m, const std::vector<Vec3>& path)
   {
     DriftEquations equations(this->ProblemOf(m), this->Air, this->Bodies[this->Moving[m]].Weights);
-    (void)equations.Linearise(path);
+    equations.LookAt(path);
+    (void)equations.Linearise();
     this->Pulls[m].clear();
     for (const Touch& touch : this->Touched[m])
     {

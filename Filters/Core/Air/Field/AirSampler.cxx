@@ -4,22 +4,39 @@
 #include "Base/Simd.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 
 namespace waft
 {
 namespace
 {
 
-// The three values and a 0, side by side.
+// Four half floats side by side as they lie in a list of threes.
+typedef std::uint16_t Halves __attribute__((vector_size(8)));
 typedef std::uint32_t Bits4 __attribute__((vector_size(16)));
 
 // As of single ones: Base/Half.h.
-WAFT_INLINE Float4 FromHalf(const Half3& half)
+WAFT_INLINE Float4 FromHalves(const Halves& halves)
 {
-  const Bits4 bits = { half[0], half[1], half[2], 0 };
+  const Bits4 bits = __builtin_convertvector(halves, Bits4);
   const Float4 size = (Float4)((bits & 0x7fffu) << 13) * 0x1p112f;
   return (Float4)((Bits4)size | ((bits & 0x8000u) << 16));
+}
+
+// The values of two neighbours in a list, the fourth of each being of the other one: the second is
+// read from two bytes before it, so that nothing after it is.
+WAFT_INLINE void ReadPair(const Half3* values, std::size_t next, Float4& low, Float4& high)
+{
+  const std::array<Half3, 2> alone = { values[0], values[0] };
+  values = next == 1 ? values : alone.data(); // a lattice of one point along x
+  const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+  Halves first, second;
+  std::memcpy(&first, bytes, sizeof(first));
+  std::memcpy(&second, bytes + 2 * sizeof(Half3) - sizeof(second), sizeof(second));
+  low = FromHalves(first);
+  high = FromHalves(__builtin_shuffle(second, Halves{ 1, 2, 3, 0 }));
 }
 
 } // namespace
@@ -46,9 +63,10 @@ AirSampler::Voxel AirSampler::Find(const Vec3& x) const
   return voxel;
 }
 
-// Along x, then y, then z, with what each step changes. corner(i, values): at the i-th point.
-template <class Corner>
-Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gradient)
+// Along x, then y, then z, with what each step changes. corners(i, low, high): at the i-th point
+// and its neighbour along x.
+template <class Corners>
+Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corners& corners, Mat3* gradient)
 {
   Double4 faces[2], alongX[2], alongY[2];
   for (std::size_t k = 0; k < 2; ++k)
@@ -58,8 +76,7 @@ Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gra
     {
       const std::size_t at = voxel.Corner + j * voxel.Next[1] + k * voxel.Next[2];
       Double4 low, high;
-      corner(at, low);
-      corner(at + voxel.Next[0], high);
+      corners(at, low, high);
       along[j] = high - low;
       edges[j] = low + voxel.Part[0] * along[j];
     }
@@ -86,19 +103,32 @@ Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gra
 
 Vec3 AirSampler::Between(int k, const Vec3& x, Mat3* gradient) const
 {
-  const auto& before = this->Air.Values[static_cast<std::size_t>(k)];
-  const auto& after = this->Air.Values[static_cast<std::size_t>(k) + 1];
-  const auto mean = [&](std::size_t i, Double4& value)
-  { value = 0.5 * __builtin_convertvector(FromHalf(before[i]) + FromHalf(after[i]), Double4); };
-  return Interpolate(this->Find(x), mean, gradient);
+  const Half3* before = this->Air.Values[static_cast<std::size_t>(k)].data();
+  const Half3* after = this->Air.Values[static_cast<std::size_t>(k) + 1].data();
+  const Voxel voxel = this->Find(x);
+  const auto means = [&](std::size_t i, Double4& low, Double4& high)
+  {
+    Float4 lows[2], highs[2];
+    ReadPair(before + i, voxel.Next[0], lows[0], highs[0]);
+    ReadPair(after + i, voxel.Next[0], lows[1], highs[1]);
+    low = 0.5 * __builtin_convertvector(lows[0] + lows[1], Double4);
+    high = 0.5 * __builtin_convertvector(highs[0] + highs[1], Double4);
+  };
+  return Interpolate(voxel, means, gradient);
 }
 
 Vec3 AirSampler::At(int frame, const Vec3& x) const
 {
-  const auto& values = this->Air.Values[static_cast<std::size_t>(frame)];
-  const auto corner = [&](std::size_t i, Double4& value)
-  { value = __builtin_convertvector(FromHalf(values[i]), Double4); };
-  return Interpolate(this->Find(x), corner, nullptr);
+  const Half3* values = this->Air.Values[static_cast<std::size_t>(frame)].data();
+  const Voxel voxel = this->Find(x);
+  const auto corners = [&](std::size_t i, Double4& low, Double4& high)
+  {
+    Float4 lows, highs;
+    ReadPair(values + i, voxel.Next[0], lows, highs);
+    low = __builtin_convertvector(lows, Double4);
+    high = __builtin_convertvector(highs, Double4);
+  };
+  return Interpolate(voxel, corners, nullptr);
 }
 
 } // namespace waft

@@ -30,8 +30,8 @@ private:
     double Slope[3];
   };
   Voxel Find(const Vec3& x) const;
-  template <class Corner>
-  static Vec3 Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gradient);
+  template <class Corners>
+  static Vec3 Interpolate(const Voxel& voxel, const Corners& corners, Mat3* gradient);
 
   const HalfSeries& Air;
 };

@@ -89,9 +89,9 @@ double Try(const AirContext& run, const AirBodies& bodies, const AirStatistics& 
                    const DriftProblem problem = body.In(air);
                    std::vector<Vec3>& path = flights.Paths[k];
                    path = body.Starts(air, 0).back();
-                   const DriftOutcome outcome =
-                     SolveDrift(problem, air, run.Search.Weights, TrialIterations, path);
-                   squares[k] = outcome.Control * outcome.Control;
+                   (void)SolveDrift(problem, air, run.Search.Weights, TrialIterations, path);
+                   const double control = ControlInFlight(problem, air, path);
+                   squares[k] = control * control;
                    flights.IsFree[k].assign(path.size(), 0);
                    for (std::size_t f = unfree; f + unfree < path.size(); ++f)
                    {
