@@ -140,3 +140,21 @@ TEST(AirSteering, MayBeginAtAnyFrame)
   AirSteering steering(wanted, own, push, Rate);
   EXPECT_EQ(steering.At(3, now, SerialFor()).Values[0], PlainPush(wanted, own, push, now, 3));
 }
+
+TEST(AirSteering, PacksWhatHasPassedAndGivesItBackWhole)
+{
+  constexpr std::size_t Count = 50;
+  const HalfSeries wanted = SomeAir(1, Count), own = SomeAir(2, Count), push = SomeAir(3, Count);
+  const HalfSeries now = SomeAir(4, Count);
+  for (const std::size_t stop : { std::size_t{ 1 }, std::size_t{ 35 }, Count })
+  {
+    AirSteering plain(wanted, own, push, Rate), packing(wanted, own, push, Rate, true);
+    for (std::size_t f = 0; f < stop; ++f)
+    {
+      const Field expected = plain.At(static_cast<int>(f), now.At(f), SerialFor()).Values[0];
+      const FieldSeries found = packing.At(static_cast<int>(f), now.At(f), ThreadedFor(2));
+      ASSERT_EQ(found.Values[0], expected) << f;
+    }
+    EXPECT_EQ(packing.TakeWanted().Values, wanted.Values) << stop;
+  }
+}

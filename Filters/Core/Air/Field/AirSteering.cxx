@@ -203,15 +203,23 @@ void ThreeFrames::MaterialDerivative(const HalfSeries& series, std::size_t begin
   }
 }
 
-AirSteering::AirSteering(const HalfSeries& wanted, HalfSeries own, HalfSeries push, double rate) :
-  Wanted(wanted), Own(std::move(own)), Pushes(std::move(push)), Rate(rate)
+AirSteering::AirSteering(HalfSeries wanted, HalfSeries own, HalfSeries push, double rate,
+                         bool packs) :
+  Wanted(std::move(wanted)),
+  Own(std::move(own)), Pushes(std::move(push)), Rate(rate), Packs(packs)
 {
   if (this->Pushes.IsEmpty())
   {
-    this->Pushes = HalfSeries(static_cast<const SeriesLattice&>(wanted));
+    this->Pushes = HalfSeries(static_cast<const SeriesLattice&>(this->Wanted));
     this->Pushes.Meaning = FieldMeaning::Acceleration;
-    this->Pushes.Values.assign(wanted.Values.size(), {});
+    this->Pushes.Values.assign(this->Wanted.Values.size(), {});
   }
+}
+
+HalfSeries AirSteering::TakeWanted()
+{
+  this->Passed.Unpack(this->Wanted.Values);
+  return std::move(this->Wanted);
 }
 
 FieldSeries AirSteering::Lacking(const Field& now) const
@@ -255,7 +263,11 @@ FieldSeries AirSteering::At(int frame, const Field& now, const ParallelFor& para
   this->Spare.clear();
   if (f > 0)
   {
-    this->Spare = std::move(this->Own.Values[f - 1]); // no later frame asks for it
+    if (this->Packs)
+    {
+      this->Passed.PackUpTo(f, this->Wanted.Values, parallel);
+    }
+    this->Spare = std::move(this->Own.Values[f - 1]); // which no later frame asks for
   }
   this->Pushes.Set(f, push);
   FieldSeries one{ static_cast<const SeriesLattice&>(this->Pushes) };

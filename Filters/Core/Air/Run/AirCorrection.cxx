@@ -17,7 +17,8 @@ namespace waft
 namespace
 {
 
-constexpr double SteeringRate = 6.0; // 1/s
+constexpr double SteeringRate = 6.0;                  // 1/s
+constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0.8 GB
 // Mean degrees, from which a body turns anew before the last winds of a round. Where all did, the
 // control that each new glide asks for was never made up for: 0.083 of the flow, not 0.060.
 constexpr double Disagreeing = 25.0;
@@ -153,9 +154,10 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
 {
   const int rounds = run.Options.Rounds;
   const std::string number = std::to_string(state.Rounds + 1);
-  AirSteering steering(state.Sampled.Velocity, std::move(plain), std::move(state.Sampled.Wind),
-                       SteeringRate);
-  state.Sampled.Wind = HalfSeries();
+  const bool isLong = plain.Values.size() * plain.NumberOfPoints() > LongAir;
+  AirSteering steering(std::move(state.Sampled.Velocity), std::move(plain),
+                       std::move(state.Sampled.Wind), SteeringRate, isLong);
+  state.Sampled = SampledAir();
   HalfSeries air;
   PartMonitor monitor(run.Caller, ProgressOf(rounds, state.Rounds, WindEnd),
                       ProgressOf(rounds, state.Rounds, SimulationEnd),
@@ -165,6 +167,7 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
     SimulateAir(state.Scene, &steering, run.Parallel, monitor, air, &state.Begun);
   if (!simulated || simulated.IsStopped())
   {
+    state.Sampled.Velocity = steering.TakeWanted(); // in which the objects drift
     return simulated;
   }
   state.Sampled.Velocity = std::move(air);
