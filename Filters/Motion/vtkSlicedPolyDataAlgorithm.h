@@ -45,8 +45,8 @@ public:
   /** Work that goes on beside waits, from its next tick on, until an update after GoOn, which then
    * shows it without waiting and lets it go. */
   void Hold();
-  /** Discards the work that has not ended, and the motion that there is: of a stage that nobody sees
-   * any more, which a window may keep for a while. The next update begins anew. */
+  /** Discards the work that has not ended, and the motion that there is: of a stage that nobody
+   * sees any more, which a window may keep for a while. The next update begins anew. */
   void LetGo();
   /** 1 when nothing is left to do: what the last update gave is the whole result, or it failed. 0
    * when it is not: the stage's own work has not ended, or an input is not complete. */
