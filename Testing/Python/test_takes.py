@@ -76,6 +76,7 @@ class Takes(unittest.TestCase):
         flown = subprocess.run(self.command("7"), cwd=self.folder, capture_output=True, text=True, check=False,
                                env={**os.environ, "TMPDIR": str(self.folder / "scene.waft.json")})
         self.assertEqual(0, flown.returncode, flown.stderr)
+        self.assertEqual("", self.rows()[7]["message"])
         before = self.places(7)
         far = {**SCENE["constraints"][0], "frame": 5, "value": [1.9, 1.9, 0.1]}
         self.write({**SCENE, "constraints": [far]})
@@ -84,6 +85,15 @@ class Takes(unittest.TestCase):
         self.assertIn("take-0007: not all met, 0 of 1 constraints met", done.stderr)
         self.assertEqual("not all met", self.rows()[7]["outcome"])
         self.assertNotEqual(before, self.places(7))
+
+    def test_what_a_scene_draws_is_read_of_its_takes(self):
+        drawn = {"text": "I", "origin": [-0.2, -0.3, 1.8], "u": [1, 0, 0], "v": [0, 1, 0], "width": 0.3}
+        self.write({**SCENE, "constraints": [{"kind": "keyframe", "frame": 45, "targets": drawn}]})
+        done = self.takes("7")
+        self.assertEqual(0, done.returncode, done.stderr)
+        row = self.rows()[7]
+        self.assertEqual("", row["message"])
+        self.assertTrue(0.0 < float(row["legibility"]) <= 1.0, row["legibility"])
 
     def test_a_stop_is_taken_and_gone_on_from(self):
         self.write({**SCENE, "time": {"frames": 301}})

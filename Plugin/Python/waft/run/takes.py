@@ -133,19 +133,19 @@ class _Flight:
             scene = os.path.join(folder, self._name)
             self._scene.with_seed(seed).save(scene)  # the air is drawn from the scene's seed, too
             status, _, words = self._run("synthesize", scene, *self._arguments, "--output", str(place), *resume)
-            words = words.replace(scene, self._name)
-        if status is None:
-            return None
-        row = {"seed": seed, "folder": place.name, "key": self.key, "status": status, "outcome": OUTCOMES.get(status, "failed"),
-               "message": "" if status in DONE else words, "seconds": round(time.monotonic() - began, 3)}
-        self._ends = self._ends or status == failures.MALFORMED  # the others would be refused as well
-        if status in DONE:
-            row.update(_summary(_flown(place)))
-            status, text, words = self._run("measure", str(place), "--json")
-            if status == 0:
-                row["measures"] = checked(json_of(text, "waft measure"), MEASURED, "waft measure")[0]["rows"]
-            else:
-                row["message"] = "not measured" + (f": {words}" if words else "")
+            if status is None:
+                return None
+            row = {"seed": seed, "folder": place.name, "key": self.key, "status": status, "outcome": OUTCOMES.get(status, "failed"),
+                   "message": "" if status in DONE else words.replace(scene, self._name),
+                   "seconds": round(time.monotonic() - began, 3)}
+            self._ends = self._ends or status == failures.MALFORMED  # the others would be refused as well
+            if status in DONE:
+                row.update(_summary(_flown(place)))
+                status, text, words = self._run("measure", str(place), "--scene", scene, "--json")
+                if status == 0:
+                    row["measures"] = checked(json_of(text, "waft measure"), MEASURED, "waft measure")[0]["rows"]
+                else:
+                    row["message"] = "not measured" + (f": {words.replace(scene, self._name)}" if words else "")
         return row
 
     def stop(self):
