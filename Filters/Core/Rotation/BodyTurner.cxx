@@ -268,6 +268,7 @@ void BodyTurner::Set(std::size_t i, const Act& act) const
   plan.BoundingRadius = shape.Properties.BoundingRadius;
   plan.Glides = input.Glides;
   FlightPath path = MakePath(input, i, draw, glider.Pace);
+  path.Ease = glider.Ease;
   if (draw > 0.0)
   {
     EndDraw(plan, path);

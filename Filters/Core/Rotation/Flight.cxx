@@ -111,6 +111,16 @@ void Fade(const FlightBody& body, const FlightPath& path, double frame, double f
   state.AngularMomentum = along + fade * (state.AngularMomentum - along);
 }
 
+/// What is above the path's ease goes, as an angular velocity above a limit is taken back.
+void EaseTurning(const FlightBody& body, const TurningEase& ease, double time, FlightState& state)
+{
+  const double rate = state.AngularVelocity(body).norm();
+  if (rate > ease.Above)
+  {
+    LimitTurning(body, ease.Above + std::exp(-ease.Rate * time) * (rate - ease.Above), state);
+  }
+}
+
 Vec3 SettlingTorque(const FlightBody& body, const Settling& settling, const FlightState& state)
 {
   const Mat3 turn = state.Orientation.toRotationMatrix();
@@ -289,6 +299,7 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
     state.AngularMomentum += h * rates.AngularMomentum;
     state.Momentum += h * rates.Momentum;
     Fade(body, path, here + 1.0 / steps, fade, state);
+    EaseTurning(body, path.Ease, h, state);
     if (floor != nullptr)
     {
       const Floor now = floor->After((i + 1) * h);

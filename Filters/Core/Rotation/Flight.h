@@ -4,10 +4,18 @@
 
 #include "Rotation/PanelBody.h"
 
+#include <limits>
 #include <vector>
 
 namespace waft
 {
+
+/// Turning above a rate dies away to it.
+struct TurningEase
+{
+  double Above = std::numeric_limits<double>::infinity(); // rad/s
+  double Rate = 0.0;                                      // 1/s, of what is above
+};
 
 /// What the air does along the path, one sample a frame.
 struct FlightPath
@@ -20,6 +28,7 @@ struct FlightPath
   /// rad/s, world: half the air's vorticity, at which a body turns that nothing but the stickiness
   /// of the air turns; damping draws to it. Empty: to rest.
   std::vector<Vec3> AirTurning;
+  TurningEase Ease; // of its turning's seconds
   std::vector<double>
     FastestTurning; // rad/s, from each frame to the next, or infinite; or empty: no limits
   double QuickestChange =

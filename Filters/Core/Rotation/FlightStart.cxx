@@ -14,6 +14,7 @@ FlightPath AsItBegins(const FlightPath& path, std::size_t frames)
 {
   FlightPath before;
   before.Step = path.Step;
+  before.Ease = path.Ease;
   before.QuickestChange = path.QuickestChange;
   const auto hold = [frames](const auto& samples, auto& held)
   {

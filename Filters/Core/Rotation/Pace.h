@@ -18,4 +18,8 @@ double MostTurn(double maximumTurn, const Timeline& time);
 /// that is as much larger. speed: at which it settles [m/s].
 double PaceOf(const FlightBody& body, const ShellProperties& properties, double speed);
 
+/// Of the seconds of its turning at a pace: by what gusts turn a body faster than its steady
+/// tumbling goes soon, so that few frames show it.
+TurningEase EaseAt(double pace);
+
 } // namespace waft

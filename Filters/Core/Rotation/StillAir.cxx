@@ -24,16 +24,18 @@ constexpr double DrawChange = 1.4; // of the speed, from a try to the next
 double MeanFall(const std::function<Glider(std::size_t)>& glider, double speed,
                 const ParallelFor& parallel)
 {
-  FlightPath path;
-  path.Step = FallStep;
-  path.RelativeVelocities.assign(FallFrames + 1, Vec3(0.0, 0.0, -speed));
   std::array<double, StillFalls> falls{};
   parallel(StillFalls,
            [&](std::size_t begin, std::size_t end)
            {
              for (std::size_t i = begin; i < end; ++i)
              {
-               const FlightBody body = glider(i).DrawnAt(speed);
+               const Glider own = glider(i);
+               const FlightBody body = own.DrawnAt(speed);
+               FlightPath path;
+               path.Step = FallStep;
+               path.RelativeVelocities.assign(FallFrames + 1, Vec3(0.0, 0.0, -speed));
+               path.Ease = own.Ease;
                FlightState state = StateInFlight(body, path, Random(1, i));
                for (int k = 0; k < FallFrames; ++k)
                {

@@ -21,6 +21,7 @@ struct Glider
   AirCoefficients Coefficients;
   double Damping, Follow; // 1/s, as FlightBody has them, of its own turning's seconds
   double Pace = 1.0;      // those in a second (Pace.h)
+  TurningEase Ease = {};
 
   /// The body where its weight is its drag broadside at a speed [m/s]: the mass that slips is that
   /// of this weight.

@@ -85,6 +85,7 @@ Glider GliderOf(const RotationInput& input, const RotationOptions& options,
     glider.Pace = PaceOf(glider.DrawnAt(0.0), shape.Properties, object.SettlingSpeed);
     glider.Damping /= glider.Pace; // what is said a second holds a second
     glider.Follow /= glider.Pace;
+    glider.Ease = EaseAt(glider.Pace);
   }
   return glider;
 }

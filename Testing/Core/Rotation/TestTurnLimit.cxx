@@ -4,6 +4,7 @@
 #include "Base/Random.h"
 #include "Refining.h"
 #include "Rotation/Flight.h"
+#include "StirredAir.h"
 
 using namespace waft;
 using namespace waft::fixtures;
@@ -86,6 +87,47 @@ struct Strip
     return FlightBody(this->Panels, this->Properties, 1e-4, 1.2, AirCoefficients(), 0.0, 0.0);
   }
 };
+
+/// Sixteen like bodies that fall from poses by chance.
+RotationInput Falling(double width, double framesPerSecond)
+{
+  const int frames = static_cast<int>(6.0 * framesPerSecond);
+  RotationInput input =
+    OneObject(Sheet(0.12, width), StraightPath(Vec3(0.0, 0.0, 9.0), Vec3(0.05, 0.0, -0.7), frames,
+                                               1.0 / framesPerSecond));
+  input.Scene.Time.FramesPerSecond = framesPerSecond;
+  input.Objects[0].SettlingSpeed = 0.7;
+  input.Objects[0].OrientationGiven = 0;
+  for (int i = 1; i < 16; ++i)
+  {
+    input.Objects.push_back(input.Objects[0]);
+    input.Objects[i].ObjectId = i;
+    input.Tracks.push_back(input.Tracks[0]);
+    input.Tracks[i].ObjectId = i;
+  }
+  return input;
+}
+
+/// Degrees in 1/30 s, from every frame to the next, in order of size.
+std::vector<double> TurnsOf(const RotationOutput& output)
+{
+  std::vector<double> turns;
+  for (const PoseTrack& poses : output.Poses)
+  {
+    const double rate = (static_cast<double>(poses.Orientations.size()) / 6.0) / 30.0;
+    for (std::size_t k = 0; k + 1 < poses.Orientations.size(); ++k)
+    {
+      turns.push_back(Angle(poses.Orientations[k + 1], poses.Orientations[k]) / Degree * rate);
+    }
+  }
+  std::sort(turns.begin(), turns.end());
+  return turns;
+}
+
+std::size_t Above(const std::vector<double>& turns, double turn)
+{
+  return static_cast<std::size_t>(turns.end() - std::upper_bound(turns.begin(), turns.end(), turn));
+}
 
 double Energy(const FlightBody& body, const FlightState& state)
 {
@@ -268,37 +310,59 @@ TEST(TurnLimit, ByItselfABodyTurnsAsAnEyeCanFollow)
   {
     for (const double framesPerSecond : { 24.0, 60.0 })
     {
-      const int frames = static_cast<int>(6.0 * framesPerSecond);
-      RotationInput input =
-        OneObject(Sheet(0.12, width), StraightPath(Vec3(0.0, 0.0, 9.0), Vec3(0.05, 0.0, -0.7),
-                                                   frames, 1.0 / framesPerSecond));
-      input.Scene.Time.FramesPerSecond = framesPerSecond;
-      input.Objects[0].SettlingSpeed = 0.7;
-      input.Objects[0].OrientationGiven = 0;
-      for (int i = 1; i < 16; ++i)
-      {
-        input.Objects.push_back(input.Objects[0]);
-        input.Objects[i].ObjectId = i;
-        input.Tracks.push_back(input.Tracks[0]);
-        input.Tracks[i].ObjectId = i;
-      }
-      std::vector<double> turns; // degrees at 30 frames a second
-      for (const PoseTrack& poses : Refine(input).Poses)
-      {
-        for (std::size_t k = 0; k + 1 < poses.Orientations.size(); ++k)
-        {
-          turns.push_back(Angle(poses.Orientations[k + 1], poses.Orientations[k]) * 180.0 /
-                          std::acos(-1.0) * framesPerSecond / 30.0);
-        }
-      }
-      std::sort(turns.begin(), turns.end());
-      const auto above = [&](double turn)
-      { return turns.end() - std::upper_bound(turns.begin(), turns.end(), turn); };
-      const auto few = static_cast<long>(turns.size() / 20);
-      EXPECT_LE(above(25.0), few) << width;
-      EXPECT_LE(above(39.0), few) << width; // the limit is 40
+      const std::vector<double> turns = TurnsOf(Refine(Falling(width, framesPerSecond)));
+      EXPECT_LE(Above(turns, 25.0), turns.size() / 20) << width;
+      EXPECT_LE(Above(turns, 39.0), turns.size() / 20) << width; // the limit is 40
       EXPECT_GT(turns[turns.size() / 2], 1.0) << width << ": it does not stand still";
     }
+  }
+}
+
+TEST(TurnLimit, SoItDoesInGusts)
+{
+  for (const double width : { 0.03, 0.06, 0.12 })
+  {
+    RotationInput input = Falling(width, 30.0);
+    input.Glides = true;
+    std::vector<std::vector<Vec3>> velocities;
+    std::vector<std::vector<Mat3>> gradients;
+    for (const Track& track : input.Tracks)
+    {
+      const StirredAir air(0.5, 0.5, 0.25, 1.0, Random(7, velocities.size()));
+      velocities.emplace_back();
+      gradients.emplace_back();
+      for (std::size_t k = 0; k < track.Positions.size(); ++k)
+      {
+        Mat3 gradient;
+        velocities.back().push_back(
+          air.At(track.Positions[k], static_cast<double>(k) / 30.0, gradient));
+        gradients.back().push_back(gradient);
+      }
+    }
+    const AirOnTracks air(velocities, gradients);
+    input.Air = &air;
+    const std::vector<double> turns = TurnsOf(Refine(input));
+    EXPECT_LE(Above(turns, 25.0), turns.size() / 20) << width;
+    EXPECT_LE(Above(turns, turns.back() - 1.0), turns.size() / 20) << width << ": at a limit";
+  }
+}
+
+TEST(TurnLimit, WhatIsAboveTheEaseGoesByAndBy)
+{
+  const Strip strip;
+  const FlightBody body(strip.Panels, strip.Properties, 1e-4, 0.0, AirCoefficients(), 0.0, 0.0);
+  FlightPath path;
+  path.RelativeVelocities.assign(2, Vec3::Zero());
+  path.Ease = { 10.0, 40.0 };
+  for (const double rate : { 9.0, 15.0 })
+  {
+    FlightState state;
+    state.SetAngularVelocity(body, Vec3(0.0, 0.0, rate));
+    const FrameEvents events = AdvanceFrame(body, path, 0, Settling(), nullptr, state);
+    const double above = std::max(rate - 10.0, 0.0);
+    EXPECT_NEAR(state.AngularVelocity(body).z(), rate - above * (1.0 - std::exp(-40.0 / 30.0)),
+                1e-9);
+    EXPECT_FALSE(events.Slowed) << "no limit";
   }
 }
 
