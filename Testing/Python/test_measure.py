@@ -587,6 +587,8 @@ class FolderTest(unittest.TestCase):
         measured = measure(write_folder(os.path.join(WORK, "said"), self.path, air=self.air, said=said))[0]
         self.assertAlmostEqual(0.2, measured["replay"].value)
         self.assertTrue(measured["replay"].met)
+        self.assertEqual(measured["drift"].value, measure(self.folder)[0]["replay"].value)
+        self.assertIsNone(measured["drift"].met)
         self.assertAlmostEqual(0.3, measured["hidden_hand_gas"].value)
         self.assertFalse(measured["hidden_hand_gas"].met)
 

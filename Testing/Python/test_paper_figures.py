@@ -70,6 +70,17 @@ class PaperFiguresTest(unittest.TestCase):
                                                   ([None, 1.0], False, 1.2, None, True), ([0.3, None], False, 0.1, 0.2, True)):
             row = {"wanted": wanted, "met": met, "value": value}
             self.assertEqual(make_paper_figures.is_worse(row, {"value": was}), expected, (wanted, value, was))
+        for value, expected in ((0.82, False), (0.84, True)):  # AUC is never below a half
+            row = {"key": "told_apart", "wanted": [0.0, 0.75], "met": False, "value": value}
+            self.assertEqual(make_paper_figures.is_worse(row, {"value": 0.8}), expected)
+
+    def test_both_qualities_are_let_go_in_the_air_alone(self):
+        """An optimised motion says of itself what its gas does besides, and an assimilated one has none."""
+        rows = [{"key": "replay", "value": 0.2, "met": True, "wanted": [0.0, 0.25]}, {"key": "drift", "value": 0.4, "met": None, "wanted": [None, None]}]
+        of_air = {"replay": {"key": "replay", "value": 0.39, "met": False, "wanted": [0.0, 0.15]}}
+        replay, = make_paper_figures.like_air(rows, of_air)
+        self.assertEqual((replay["key"], replay["value"], replay["met"]), ("replay", 0.4, False))
+        self.assertFalse(make_paper_figures.is_worse(replay, of_air["replay"]))
 
     def test_the_table_is_that_of_its_script(self):
         for line in paper_table.lines([(SCENE, paper_table.column(self.results["paper"])[1])]):
