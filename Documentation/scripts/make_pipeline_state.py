@@ -39,6 +39,8 @@ VIEWS = {
     "poses": (("turn", 0, None), ("reader", 2, None)),
 }
 
+DARK = ("poses",)  # before what waft.show puts behind them: faint paths and a pale floor are not seen on white
+
 
 def join(folder):
     """{name: stage} of six_stages.py, without what it writes, and two that pick from its outputs."""
@@ -61,8 +63,9 @@ def show(stages, name, number):
     view = simple.CreateRenderView(registrationName=name)
     simple.AssignViewToLayout(view, layout)
     view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1.0, 1.0, 1.0]
+    if name not in DARK:
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1.0, 1.0, 1.0]
     view.ViewTime = TIME
     outputs = [OutputPort(stages[stage], port) for stage, port, _ in VIEWS[name]]
     waft.show(outputs, view)
@@ -71,7 +74,8 @@ def show(stages, name, number):
         if array is not None:
             simple.ColorBy(shown, array)
             shown.RescaleTransferFunctionToDataRange()
-        shown.SetScalarBarVisibility(view, False)
+        if shown.LookupTable is not None:  # ParaView warns of a bar that is hidden where no array is shown
+            shown.SetScalarBarVisibility(view, False)
 
 
 def strip(path):
