@@ -37,7 +37,9 @@ constexpr const char* Help =
   "  WaftBenchmarkSpacetime --eddies 0.2    how long gas keeps its eddies, instead: shear waves "
   "and\n"
   "                                         Taylor and Green's vortices of 4, 6 and 10 dx, with\n"
-  "                                         that artificial viscosity\n"
+  "                                         that artificial viscosity, --smoothing (1.2 dx),\n"
+  "                                         --courant (0.5) and --walls (2: the walls push twice\n"
+  "                                         as hard as what the densities cost)\n"
   "\n"
   "The standard problem runs the optimiser's own program of levels and then what Continue adds\n"
   "(without leash, wind, fit of vortices and tolerance). Options, with their standard values:\n"
@@ -236,7 +238,12 @@ int main(int argc, char** argv)
   }
   if (const double viscosity = Argument(argc, argv, "--eddies", -1.0); viscosity >= 0.0)
   {
-    return RunEddies(viscosity);
+    EddyGas gas;
+    gas.Viscosity = viscosity;
+    gas.SmoothingLength = Argument(argc, argv, "--smoothing", gas.SmoothingLength);
+    gas.CourantNumber = Argument(argc, argv, "--courant", gas.CourantNumber);
+    gas.Walls = Argument(argc, argv, "--walls", gas.Walls);
+    return RunEddies(gas);
   }
   const int first = static_cast<int>(Argument(argc, argv, "--seed", 1));
   if (Argument(argc, argv, "--growth", 0) != 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EddiesRun.h"
 
+#include "Particles/GasLattice.h"
+#include "Particles/SphSurfaces.h"
 #include "Spacetime/Scene/Rollout.h"
 #include "StandardProblem.h"
 
@@ -20,6 +22,7 @@ constexpr double Spacing = 0.3;    // m: 2500 particles in 4 x 4 x 4 m
 constexpr double Speed = 0.05;     // of the vortices [dx / frame]: 0.45 m/s
 constexpr int Frames = 16;         // of a state; it is run on from its last one
 constexpr double LongestRun = 8.5; // s
+constexpr int FramesAtRest = 1000;
 constexpr std::size_t NodesPerSpacing = 4;
 
 /// Vortices in a box of gas whose walls they run along, or a shear wave.
@@ -41,7 +44,7 @@ struct Eddies
   }
 };
 
-SpacetimeSetup MakeGas(const Eddies& eddies, double viscosity)
+SpacetimeSetup MakeGas(const Eddies& eddies, const EddyGas& kind)
 {
   StandardProblem problem;
   problem.Gas = { eddies.Side, eddies.Side, eddies.Side };
@@ -50,7 +53,12 @@ SpacetimeSetup MakeGas(const Eddies& eddies, double viscosity)
   problem.Build();
   SpacetimeModel& model = problem.Setup.Model;
   model.Fields.Vortices.clear();
-  model.Fluid.Viscosity = viscosity;
+  const GasLattice lattice = GasLattice::Make({ Vec3::Zero(), Vec3::Ones() }, problem.Gas);
+  model.Fluid.Viscosity = kind.Viscosity;
+  model.Fluid.SmoothingLength = kind.SmoothingLength;
+  model.Fluid.SoundSpeed = kind.CourantNumber * kind.SmoothingLength;
+  model.Fluid.GasMass = lattice.ParticleMass(model.Fluid);
+  model.Rest.Build(lattice, model.Fluid);
   return std::move(problem.Setup);
 }
 
@@ -61,9 +69,9 @@ Vec3 RowOf(const float* rows, std::size_t stride, std::size_t i)
 
 // nu = - a.u / (k^2 u.u) of the gas farther from the walls than a kernel reaches, on the lattice
 // [dx^2 / frame].
-double ShearViscosity(const Eddies& eddies, double viscosity)
+double ShearViscosity(const Eddies& eddies, const EddyGas& kind)
 {
-  const SpacetimeSetup setup = MakeGas(eddies, viscosity);
+  const SpacetimeSetup setup = MakeGas(eddies, kind);
   const SpacetimeModel& model = setup.Model;
   const std::size_t stride = model.Stride();
   StateVector state = setup.Start;
@@ -129,9 +137,79 @@ double EnergyOf(const Eddies& eddies, const SpacetimeModel& model, const float* 
   return all > 0.0 ? std::pow(std::max(0.0, along / all), 2) : 0.0;
 }
 
-Decay RunVortices(const Eddies& eddies, double viscosity, bool isDrawn)
+/// The gas run forward; as many frames as are kept are over, it goes on from the last one.
+class Forward
 {
-  SpacetimeSetup setup = MakeGas(eddies, viscosity);
+public:
+  Forward(const SpacetimeSetup& setup, double walls) :
+    Model(setup.Model), Level(TimeLevel::Full(Frames, 1)), State(setup.Start),
+    Objective(Model, Model.Fields, Level, SerialFor(), FastestSphKernels(), false),
+    Spared(2.0 - walls)
+  {
+  }
+  float* Here() { return this->State.data() + this->Frame * this->Model.FrameSize(); }
+
+  /// The next frame's state.
+  const float* Step()
+  {
+    const std::size_t stride = this->Model.Stride();
+    if (this->Frame + 1 == Frames)
+    {
+      std::copy_n(this->Here(), this->Model.FrameSize(), this->State.begin());
+      this->Frame = 0;
+    }
+    FrameTerms& terms = this->Objective.ForwardFrame(this->State, this->Frame);
+    const std::vector<FrameTerms::AirAt> air = terms.Air();
+    const float* here = this->Here();
+    float* next = this->Here() + this->Model.FrameSize();
+    SphVolume volume(this->Model.Size);
+    volume.Rest = &this->Model.Rest;
+    for (std::size_t i = 0; i < this->Model.NumberOfGas; ++i)
+    {
+      const Vec3 x = RowOf(here, stride, i);
+      const double p = air[i].Pressure / (air[i].Density * air[i].Density);
+      const Vec3 pull = this->Spared * p * SurfaceDensity(this->Model.Fluid, volume, x).Gradient;
+      const Vec3 v = NextVelocity(this->Model, this->Level, terms, this->Frame, i, x,
+                                  RowOf(here + 3 * stride, stride, i), pull);
+      MoveBody(this->Model, i, 1.0, x, v, next);
+    }
+    ++this->Frame;
+    return next;
+  }
+
+private:
+  const SpacetimeModel& Model;
+  TimeLevel Level;
+  StateVector State;
+  SpacetimeObjective Objective;
+  double Spared; // of the walls' force as the model has it
+  std::size_t Frame = 0;
+};
+
+// How far the farthest of the lattice is from where it was at rest [dx].
+double MovedAtRest(const Eddies& eddies, const EddyGas& kind)
+{
+  const SpacetimeSetup setup = MakeGas(eddies, kind);
+  const SpacetimeModel& model = setup.Model;
+  const std::size_t stride = model.Stride();
+  Forward run(setup, kind.Walls);
+  const float* last = run.Here();
+  for (int frame = 0; frame < FramesAtRest; ++frame)
+  {
+    last = run.Step();
+  }
+  double moved = 0.0;
+  for (std::size_t i = 0; i < model.NumberOfGas; ++i)
+  {
+    const Vec3 x = RowOf(setup.Start.data(), stride, i);
+    moved = std::max(moved, (RowOf(last, stride, i) - x).norm());
+  }
+  return moved;
+}
+
+Decay RunVortices(const Eddies& eddies, const EddyGas& kind, bool isDrawn)
+{
+  SpacetimeSetup setup = MakeGas(eddies, kind);
   SpacetimeModel& model = setup.Model;
   const FieldSeries air = AirOf(eddies);
   if (isDrawn)
@@ -140,39 +218,20 @@ Decay RunVortices(const Eddies& eddies, double viscosity, bool isDrawn)
     model.AirDrag = static_cast<float>(SpacetimeOptions().AirDrag / FrameRate);
   }
   const std::size_t stride = model.Stride();
-  const TimeLevel level = TimeLevel::Full(Frames, 1);
-  SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels(), false);
-  StateVector state = setup.Start;
+  Forward run(setup, kind.Walls);
+  float* first = run.Here();
   for (std::size_t i = 0; i < model.NumberOfGas; ++i)
   {
-    const Vec3 u = eddies.Vortices(RowOf(state.data(), stride, i));
+    const Vec3 u = eddies.Vortices(RowOf(first, stride, i));
     for (std::size_t c = 0; c < 3; ++c)
     {
-      state[(3 + c) * stride + i] = static_cast<float>(u[static_cast<int>(c)]);
+      first[(3 + c) * stride + i] = static_cast<float>(u[static_cast<int>(c)]);
     }
   }
   Decay decay;
-  std::size_t j = 0;
   for (int frame = 1; frame <= static_cast<int>(LongestRun * FrameRate); ++frame)
   {
-    if (j + 1 == Frames)
-    {
-      std::copy_n(state.begin() + static_cast<std::ptrdiff_t>(j * model.FrameSize()),
-                  model.FrameSize(), state.begin());
-      j = 0;
-    }
-    FrameTerms& terms = objective.ForwardFrame(state, j);
-    const float* here = state.data() + j * model.FrameSize();
-    float* next = state.data() + (j + 1) * model.FrameSize();
-    for (std::size_t i = 0; i < model.NumberOfGas; ++i)
-    {
-      const Vec3 x = RowOf(here, stride, i);
-      const Vec3 v = NextVelocity(model, level, terms, j, i, x, RowOf(here + 3 * stride, stride, i),
-                                  Vec3::Zero());
-      MoveBody(model, i, 1.0, x, v, next);
-    }
-    ++j;
-    const double energy = EnergyOf(eddies, model, next);
+    const double energy = EnergyOf(eddies, model, run.Step());
     const double time = frame / FrameRate;
     decay.Half = decay.Half < 0.0 && energy < 0.5 ? time : decay.Half;
     decay.AfterThree += std::abs(time - 3.0) <= 0.5 ? energy / (FrameRate + 1.0) : 0.0;
@@ -183,23 +242,26 @@ Decay RunVortices(const Eddies& eddies, double viscosity, bool isDrawn)
 
 } // namespace
 
-int RunEddies(double viscosity)
+int RunEddies(const EddyGas& kind)
 {
   std::printf(
-    "gas of %.2f m between particles, %.0f frames a second, viscosity %.2f\n\n"
-    "| wave, dx | m | shear wave: nu, m^2/s | vortices of gas alone: half after, s | left "
-    "after 3 s, 8 s | of a sampled air: left after 3 s, 8 s |\n"
-    "|---|---|---|---|---|---|\n",
-    Spacing, FrameRate, viscosity);
+    "gas of %.2f m between particles, %.0f frames a second, viscosity %.2f, smoothing length %.2f "
+    "dx, Courant number %.2f, walls %.1f\n\n"
+    "| wave, dx | m | shear wave: nu, m^2/s | at rest, moved after %d frames, dx | vortices of gas "
+    "alone: half after, s | left after 3 s, 8 s | of a sampled air: left after 3 s, 8 s |\n"
+    "|---|---|---|---|---|---|---|\n",
+    Spacing, FrameRate, kind.Viscosity, kind.SmoothingLength, kind.CourantNumber, kind.Walls,
+    FramesAtRest);
   const double unit = Spacing * Spacing * FrameRate;
   for (const Eddies& eddies : { Eddies{ 4.0, 12 }, Eddies{ 6.0, 12 }, Eddies{ 10.0, 10 } })
   {
-    const Decay alone = RunVortices(eddies, viscosity, false);
-    const Decay drawn = RunVortices(eddies, viscosity, true);
-    std::printf("| %.0f | %.1f | %.4f | %s%.1f | %.2f, %.2f | %.2f, %.2f |\n", eddies.Length,
-                Spacing * eddies.Length, unit * ShearViscosity(eddies, viscosity),
-                alone.Half > 0.0 ? "" : "> ", alone.Half > 0.0 ? alone.Half : LongestRun,
-                alone.AfterThree, alone.AfterEight, drawn.AfterThree, drawn.AfterEight);
+    const Decay alone = RunVortices(eddies, kind, false);
+    const Decay drawn = RunVortices(eddies, kind, true);
+    std::printf("| %.0f | %.1f | %.4f | %.2g | %s%.1f | %.2f, %.2f | %.2f, %.2f |\n", eddies.Length,
+                Spacing * eddies.Length, unit * ShearViscosity(eddies, kind),
+                MovedAtRest(eddies, kind), alone.Half > 0.0 ? "" : "> ",
+                alone.Half > 0.0 ? alone.Half : LongestRun, alone.AfterThree, alone.AfterEight,
+                drawn.AfterThree, drawn.AfterEight);
     std::fflush(stdout);
   }
   return 0;
