@@ -136,7 +136,8 @@ def flown(kept, qualities=QUALITIES):
 
 def measures(kept):
     yield prose("By `waft measure`; what misses [what is wanted](Measure.md) is in **bold**, \"-\" is not measured: quality `paper` has no air, "
-                "in which its bodies could have a residual control, and AUC takes scikit-learn.")
+                "in which its bodies could have a residual control, and AUC takes scikit-learn. Where seconds by the clock are many times those of "
+                "the processor, other programs ran, and those of the processor are more than they need be.")
     rows = ["| scene, quality | objects | " + " | ".join(name for name, _ in COLUMNS) + " | CPU s, s by the clock, MB | flown |",
             "|---" * (len(COLUMNS) + 4) + "|"]
     for scene, quality, entry in flown(kept):
@@ -148,7 +149,8 @@ def measures(kept):
             rows.append(f"| {scene}, `{name}` | {of['objects']} | " + " | ".join(cells) + f" | {of['cost']} | {of['date']} |")
     yield "\n".join(rows)
     yield prose("What the optimiser does in `full`: how many bodies it moved by more than a millimetre, and the farthest; its gas; and the rows "
-                f"that miss what is wanted by more than {SLACK} of what they were in `air` (in brackets).")
+                f"that miss what is wanted by more than {SLACK} of what they were in `air` (in brackets). There bodies that are let go drift in the "
+                "air alone, in both.")
     rows = ["| scene | bodies moved, farthest | gas: forward replay, model residual | rows worse than in `air` |", "|---|---|---|---|"]
     for scene, _, entry in flown(kept, ("full",)):
         if (of := entry.get("beside")) is not None:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flies a scene in quality `paper` with what the paper has and no quality runs, and with more coefficients of the wind and such as
-cost less, one switch at a time, and prints a table.
+"""Flies a scene in quality `paper` with what the paper has and no quality runs, with more coefficients of the wind and such as
+cost less, and with gas that keeps its eddies longer, one switch at a time, and prints a table.
 
     pvpython paper_switches.py SCENE FOLDER [NAME...]      names: those of SWITCHES; default: all
 
@@ -34,6 +34,7 @@ SWITCHES = {  # what is set of which stage
     "closed box": {"Smoke": {axis: "Closed" for axis in AXES}},
     "ridge x 0.1": {"Spacetime": {"FieldRidge": 0.005}},
     "lattice x 2": {"Spacetime": {"WindCells": 10}},
+    "softer gas": {"Spacetime": {"Viscosity": 0.02, "CourantNumber": 0.2, "SmoothingLength": 1.4}},
 }
 FIELDS = ("as it is", "ridge x 0.1", "lattice x 2")
 ROWS = ("hidden_hand", "hidden_hand_gas", "replay", "life_velocity", "life_acceleration", "exact")
