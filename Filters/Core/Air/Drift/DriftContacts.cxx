@@ -77,7 +77,8 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
                    }
                    if (apart < distance + more)
                    {
-                     byFrame[f].push_back({ frame, a, b, distance });
+                     byFrame[f].push_back({ frame, static_cast<std::uint32_t>(a),
+                                            static_cast<std::uint32_t>(b), distance });
                    }
                  }
                };
@@ -87,10 +88,17 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
                          { return std::tie(one.A, one.B) < std::tie(other.A, other.B); });
              }
            });
-  std::vector<DriftContact> contacts;
+  std::size_t all = 0;
   for (const std::vector<DriftContact>& some : byFrame)
   {
+    all += some.size();
+  }
+  std::vector<DriftContact> contacts;
+  contacts.reserve(all);
+  for (std::vector<DriftContact>& some : byFrame)
+  {
     contacts.insert(contacts.end(), some.begin(), some.end());
+    some = {};
   }
   return contacts;
 }

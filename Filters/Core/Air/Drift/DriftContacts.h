@@ -7,6 +7,7 @@
 #include "Base/Pose.h"
 #include "Constraints/KeptDistances.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace waft
@@ -16,8 +17,8 @@ namespace waft
 struct DriftContact
 {
   int Frame = 0;
-  std::size_t A = 0, B = 0;
-  double Kept = 0.0; // how far apart they keep there [m]
+  std::uint32_t A = 0, B = 0; // there are millions in a heap
+  double Kept = 0.0;          // how far apart they keep there [m]
 };
 
 /// Thin bodies of known poses are as wide as they reach along the line between them: each is an

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace waft
@@ -57,21 +58,34 @@ public:
         this->Moving.push_back(o);
       }
     }
-    this->Touched.resize(this->Moving.size());
-    for (std::size_t k = 0; k < contacts.size(); ++k)
+    // Counted, then written where they belong: of millions no list grows.
+    this->Begins.assign(this->Size() + 1, 0);
+    const auto eachTouch = [&](const auto& act)
     {
-      for (const std::size_t o : { contacts[k].A, contacts[k].B })
+      for (std::size_t k = 0; k < contacts.size(); ++k)
       {
-        if (place[o] != Nobody && !this->IsFixed(place[o], contacts[k].Frame))
+        for (const std::size_t o : { contacts[k].A, contacts[k].B })
         {
-          const std::size_t other = place[o == contacts[k].A ? contacts[k].B : contacts[k].A];
-          const bool isPair = other != Nobody && !this->IsFixed(other, contacts[k].Frame);
-          this->Touched[place[o]].push_back({ k, isPair ? other : Nobody, o == contacts[k].A });
+          if (place[o] != Nobody && !this->IsFixed(place[o], contacts[k].Frame))
+          {
+            act(k, place[o], place[o == contacts[k].A ? contacts[k].B : contacts[k].A]);
+          }
         }
       }
-    }
-    this->Pulls.resize(this->Moving.size());
-    this->Pushes.resize(contacts.size());
+    };
+    eachTouch([this](std::size_t, std::size_t m, std::size_t) { ++this->Begins[m + 1]; });
+    std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
+    this->Touches.resize(this->Begins.back());
+    std::vector<std::size_t> next = this->Begins;
+    eachTouch(
+      [&](std::size_t k, std::size_t m, std::size_t other)
+      {
+        const bool isPair = other != Nobody && !this->IsFixed(other, contacts[k].Frame);
+        this->Touches[next[m]++] = { static_cast<std::uint32_t>(k),
+                                     static_cast<std::uint32_t>(isPair ? other : Nobody) };
+      });
+    this->Pulls.resize(this->Size());
+    this->Depths.resize(contacts.size());
     for (std::size_t first = 0; first < this->Size(); first += FourDrifts::Count)
     {
       std::size_t halfBand = 0;
@@ -93,13 +107,13 @@ public:
                  DriftResiduals residuals(*body.Problem, this->Air, body.Weights);
                  costs[m] = residuals.Cost(paths[this->Moving[m]]);
                });
-    return std::accumulate(costs.begin(), costs.end(), 0.0) + this->FindPushes(paths);
+    return std::accumulate(costs.begin(), costs.end(), 0.0) + this->PushesCost(paths);
   }
 
-  /// About the paths, whose cost has been found last.
+  /// About the paths.
   void Linearise(const std::vector<std::vector<Vec3>>& paths)
   {
-    this->Each(this->Size(), [&](std::size_t m) { this->Linearise(m, paths[this->Moving[m]]); });
+    this->Each(this->Size(), [&](std::size_t m) { this->Linearise(m, paths); });
   }
 
   /// The step of Levenberg's method, and by how much it should lower the cost; false: the equations
@@ -142,15 +156,14 @@ public:
   }
 
 private:
-  static constexpr std::size_t Nobody = ~std::size_t(0);
+  static constexpr std::uint32_t Nobody = ~std::uint32_t(0);
   struct Touch // of a body at a frame at which it may move
   {
-    std::size_t Contact, Other; // Other: among those that move; Nobody: it gives way by itself
-    bool IsA;
+    std::uint32_t Contact, Other; // Other: among those that move; Nobody: it gives way by itself
   };
   struct Pull // of another that moves
   {
-    std::size_t Frame, Other;
+    std::uint32_t Frame, Other;
     Vec3 Normal;
   };
 
@@ -195,36 +208,38 @@ private:
     return sum;
   }
 
-  /// How the contacts push about the paths; their cost.
-  double FindPushes(const std::vector<std::vector<Vec3>>& paths)
+  /// Of the contacts.
+  double PushesCost(const std::vector<std::vector<Vec3>>& paths)
   {
     this->Each(this->Contacts.size(),
-               [&](std::size_t k) { this->Pushes[k] = PushOf(this->Contacts[k], paths); });
+               [&](std::size_t k) { this->Depths[k] = PushOf(this->Contacts[k], paths).Depth; });
     double cost = 0.0;
-    for (const Push& push : this->Pushes)
+    for (const double depth : this->Depths)
     {
-      cost += push.Depth > 0.0 ? 0.5 * this->Weight * push.Depth * push.Depth : 0.0;
+      cost += depth > 0.0 ? 0.5 * this->Weight * depth * depth : 0.0;
     }
     return cost;
   }
 
-  void Linearise(std::size_t m, const std::vector<Vec3>& path)
+  void Linearise(std::size_t m, const std::vector<std::vector<Vec3>>& paths)
   {
-    DriftEquations equations(this->ProblemOf(m), this->Air, this->Bodies[this->Moving[m]].Weights);
-    equations.LookAt(path);
+    const std::size_t o = this->Moving[m];
+    DriftEquations equations(this->ProblemOf(m), this->Air, this->Bodies[o].Weights);
+    equations.LookAt(paths[o]);
     (void)equations.Linearise();
     this->Pulls[m].clear();
-    for (const Touch& touch : this->Touched[m])
+    for (std::size_t t = this->Begins[m]; t < this->Begins[m + 1]; ++t)
     {
-      const Push& push = this->Pushes[touch.Contact];
-      const int frame = this->Contacts[touch.Contact].Frame;
+      const DriftContact& contact = this->Contacts[this->Touches[t].Contact];
+      const Push push = PushOf(contact, paths);
       if (push.Depth > 0.0)
       {
-        equations.AddPush(frame, touch.IsA ? push.Normal : Vec3(-push.Normal), push.Depth,
-                          this->Weight);
-        if (touch.Other != Nobody)
+        equations.AddPush(contact.Frame, contact.A == o ? push.Normal : Vec3(-push.Normal),
+                          push.Depth, this->Weight);
+        if (this->Touches[t].Other != Nobody)
         {
-          this->Pulls[m].push_back({ static_cast<std::size_t>(frame), touch.Other, push.Normal });
+          this->Pulls[m].push_back(
+            { static_cast<std::uint32_t>(contact.Frame), this->Touches[t].Other, push.Normal });
         }
       }
     }
@@ -255,9 +270,10 @@ private:
   const ParallelFor& Parallel;
   std::vector<std::size_t> Moving; // bodies
   std::vector<FourDrifts> Fours;   // their equations
-  std::vector<std::vector<Touch>> Touched;
-  std::vector<std::vector<Pull>> Pulls; // about which the equations are
-  std::vector<Push> Pushes;             // by contact
+  std::vector<std::size_t> Begins; // of the touches of each, and the end
+  std::vector<Touch> Touches;
+  std::vector<std::vector<Pull>> Pulls; // of each, about the paths of the equations
+  std::vector<double> Depths;           // by contact
 };
 
 } // namespace
