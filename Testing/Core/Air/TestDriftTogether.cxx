@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies that touch, solved as one problem: against a plain sum of costs, and on two threads.
 #include "Air/Drift/DriftTogether.h"
+#include "Air/Drift/FourDrifts.h"
 #include "Air/PlainDrift.h"
 #include "Base/Random.h"
 
@@ -211,6 +212,44 @@ TEST(DriftTogether, WhatMayNotMoveStaysAndTheOthersGiveWay)
   crowd.Solve(contacts);
   EXPECT_EQ(crowd.Paths.back(), stays);
   EXPECT_LT(crowd.PlainCost(contacts, crowd.Paths), before);
+}
+
+TEST(DriftTogether, FactorsThatAreNotKeptAreTheSameBits)
+{
+  const Crowd crowd;
+  const AirSampler air(crowd.Air);
+  FourDrifts kept(Frames, 8, true), found(Frames, 8, false);
+  for (std::size_t o = 0; o < 3; ++o) // the fourth place stays empty
+  {
+    DriftEquations equations(*crowd.Bodies[o].Problem, air, crowd.Bodies[o].Weights);
+    equations.LookAt(crowd.Paths[o]);
+    equations.Linearise();
+    kept.Set(o, equations);
+    found.Set(o, equations);
+  }
+  for (const double damping : { 0.1, 3.0 })
+  {
+    for (FourDrifts* four : { &kept, &found })
+    {
+      ASSERT_TRUE(four->Factor(damping));
+      four->Begin();
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const FourDrifts::Sums solved = kept.Solve();
+      EXPECT_GT(solved[0], 0.0);
+      EXPECT_EQ(solved[3], 0.0);
+      EXPECT_EQ(found.Solve(), solved);
+      for (FourDrifts* four : { &kept, &found })
+      {
+        four->Turn(0.1 * k);
+        four->Multiply();
+      }
+      const FourDrifts::Sums bend = kept.Bend();
+      EXPECT_EQ(found.Bend(), bend);
+      EXPECT_EQ(found.Go(0.5), kept.Go(0.5));
+    }
+  }
 }
 
 TEST(DriftTogether, IsTheSameOnAnyNumberOfThreads)

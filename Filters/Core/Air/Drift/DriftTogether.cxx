@@ -14,7 +14,8 @@ namespace waft
 namespace
 {
 
-constexpr int MostGradients = 24;     // conjugate ones, of a step
+constexpr std::size_t MostFactors = 2048; // that are kept, of bodies: 130 MB at 300 frames
+constexpr int MostGradients = 24;         // conjugate ones, of a step
 constexpr double StepAccuracy = 5e-2; // of the right hand side's norm, in which a step is solved
 constexpr double SamePlace = 1e-9;    // m: bodies nearer than this have no direction to part in
 
@@ -93,7 +94,8 @@ public:
       {
         halfBand = std::max(halfBand, DriftEquations::HalfBandOf(this->ProblemOf(m)));
       }
-      this->Fours.emplace_back(this->ProblemOf(first).IsFixed.size(), halfBand);
+      this->Fours.emplace_back(this->ProblemOf(first).IsFixed.size(), halfBand,
+                               this->Size() <= MostFactors);
     }
   }
 

@@ -70,9 +70,9 @@ WAFT_SIMD_CLONES void PromiseOfEach(const Double4* step, const Double4* descent,
 
 } // namespace
 
-FourDrifts::FourDrifts(std::size_t frames, std::size_t halfBand) :
-  Matrix(3 * frames, halfBand), Factors(3 * frames, halfBand), IsFree(frames), Descent(3 * frames),
-  Step(3 * frames), Rest(3 * frames), Along(3 * frames), Image(3 * frames)
+FourDrifts::FourDrifts(std::size_t frames, std::size_t halfBand, bool keepsFactors) :
+  KeepsFactors(keepsFactors), Matrix(3 * frames, halfBand), Factors(0, 0), IsFree(frames),
+  Descent(3 * frames), Step(3 * frames), Rest(3 * frames), Along(3 * frames), Image(3 * frames)
 {
 }
 
@@ -101,16 +101,26 @@ void FourDrifts::Set(std::size_t body, const DriftEquations& equations)
 bool FourDrifts::Factor(double damping)
 {
   this->Damping = damping;
-  this->Factors = this->Matrix;
-  for (std::size_t i = 0; i < this->Factors.Size(); ++i)
+  if (this->KeepsFactors)
   {
-    FourDoubles& diagonal = this->Factors.At(i, i);
+    return this->Factor(this->Factors);
+  }
+  Banded<FourDoubles> factors(0, 0);
+  return this->Factor(factors);
+}
+
+bool FourDrifts::Factor(Banded<FourDoubles>& factors) const
+{
+  factors = this->Matrix;
+  for (std::size_t i = 0; i < factors.Size(); ++i)
+  {
+    FourDoubles& diagonal = factors.At(i, i);
     for (std::size_t b = 0; b < Count; ++b)
     {
-      diagonal.Of[b] = this->IsFree[i / 3][b] ? diagonal.Of[b] + damping : 1.0;
+      diagonal.Of[b] = this->IsFree[i / 3][b] ? diagonal.Of[b] + this->Damping : 1.0;
     }
   }
-  return this->Factors.Factor();
+  return factors.Factor();
 }
 
 Sums FourDrifts::Begin()
@@ -126,7 +136,16 @@ Sums FourDrifts::Begin()
 Sums FourDrifts::Solve()
 {
   this->Image = this->Rest;
-  this->Factors.Solve(this->Image);
+  if (this->KeepsFactors)
+  {
+    this->Factors.Solve(this->Image);
+  }
+  else
+  {
+    Banded<FourDoubles> factors(0, 0);
+    (void)this->Factor(factors); // which it has done before
+    factors.Solve(this->Image);
+  }
   Sums sums;
   Dot(Lanes(this->Rest.data()), Lanes(this->Image.data()), this->Rest.size(), sums);
   return sums;

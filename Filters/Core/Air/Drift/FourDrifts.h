@@ -20,8 +20,9 @@ public:
   static constexpr std::size_t Count = 4;
   using Sums = std::array<double, Count>; // one a body
 
-  /// Of bodies of as many frames; halfBand: the widest of theirs.
-  FourDrifts(std::size_t frames, std::size_t halfBand);
+  /// Of bodies of as many frames; halfBand: the widest of theirs. keepsFactors: else they are found
+  /// anew for each Solve, which takes longer and half the memory.
+  FourDrifts(std::size_t frames, std::size_t halfBand, bool keepsFactors);
 
   /// The equations of one as they are now; those of others may be set by other threads meanwhile.
   void Set(std::size_t body, const DriftEquations& equations);
@@ -58,6 +59,9 @@ private:
              values[3 * frame + 2].Of[body] };
   }
 
+  bool Factor(Banded<FourDoubles>& factors) const;
+
+  bool KeepsFactors;
   Banded<FourDoubles> Matrix, Factors;
   std::vector<std::array<bool, Count>> IsFree; // by frame
   Values Descent, Step, Rest, Along;
