@@ -7,7 +7,10 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
+#include <vtk_glew.h>
 
 #include <algorithm>
 #include <utility>
@@ -77,12 +80,22 @@ int vtkActorOfParts::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
                   this->Draw(this->Veils, viewport, &vtkActor::RenderTranslucentPolygonalGeometry));
 }
 
-// The last pass, else.
+// The last pass, else, before which depths are no longer looked at, and what was drawn is smoothed.
 int vtkActorOfParts::RenderOverlay(vtkViewport* viewport)
 {
-  return this->DrawsParts(viewport) && !this->AreVeilsDrawn
-           ? this->Draw(this->Veils, viewport, &vtkActor::RenderTranslucentPolygonalGeometry)
-           : this->Superclass::RenderOverlay(viewport);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(viewport->GetVTKWindow());
+  if (!this->DrawsParts(viewport) || this->AreVeilsDrawn || window == nullptr)
+  {
+    return this->Superclass::RenderOverlay(viewport);
+  }
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable before(state, GL_DEPTH_TEST);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  glEnable(GL_LINE_SMOOTH);
+  const int drawn =
+    this->Draw(this->Veils, viewport, &vtkActor::RenderTranslucentPolygonalGeometry);
+  glDisable(GL_LINE_SMOOTH);
+  return drawn;
 }
 
 vtkTypeBool vtkActorOfParts::HasTranslucentPolygonalGeometry()
