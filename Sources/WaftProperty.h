@@ -76,4 +76,24 @@ public:                                                                         
   vtkSetStdStringFromCharMacro(name);                                                              \
   vtkGetCharFromStdStringMacro(name)
 
+/// A file that the class writes beside its outputs. None from now on is no reason to work again.
+#define WaftWrittenFile(name)                                                                      \
+protected:                                                                                         \
+  std::string name;                                                                                \
+                                                                                                   \
+public:                                                                                            \
+  virtual void Set##name(const char* value)                                                        \
+  {                                                                                                \
+    const std::string given = value != nullptr ? value : "";                                       \
+    if (this->name != given)                                                                       \
+    {                                                                                              \
+      this->name = given;                                                                          \
+      if (!given.empty())                                                                          \
+      {                                                                                            \
+        this->Modified();                                                                          \
+      }                                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  vtkGetCharFromStdStringMacro(name)
+
 #endif

@@ -76,8 +76,8 @@ public:
   WaftProperty(double, TimeLimit);
   WaftProperty(int, Seed);
   WaftFlag(WarmStart);
-  WaftFile(CheckpointFile);
-  WaftFile(StateFile);
+  WaftWrittenFile(CheckpointFile);
+  WaftWrittenFile(StateFile);
   WaftFile(EditOf);
 
   /** Forgets the last run: the next one draws an air. */

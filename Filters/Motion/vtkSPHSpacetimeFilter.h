@@ -97,7 +97,7 @@ public:
   WaftProperty(double, EditDuration);
   WaftProperty(double, EditRadius);
   WaftProperty(double, MemoryLimit);
-  WaftFile(CheckpointFile);
+  WaftWrittenFile(CheckpointFile);
   WaftProperty(double, CheckpointInterval);
 
   /** Whether there is room, with these properties, for so many objects and frames in a volume

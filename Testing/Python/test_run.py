@@ -11,6 +11,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 import threading
@@ -21,6 +22,7 @@ from unittest import mock
 import numpy as np
 import waft
 from waft.results import manifest_of
+from waft.watching import collect
 
 os.environ.pop("DISPLAY", None)
 
@@ -139,6 +141,21 @@ class RunTest(unittest.TestCase):
         run.seed = 1
         self.assertEqual((first.tobytes(), report), (run.positions.tobytes(), run.report))
         self.assertFalse((self.folder / "seeds" / "checkpoint").exists())
+
+    def test_stages_that_live_on_write_nothing_of_the_run(self):
+        run = waft.synthesize(small_scene(), output=self.folder / "over", quality="preview", threads=1, _settings={"Assimilation": COARSE})
+        self.addCleanup(run.delete)
+        shutil.rmtree(self.folder / "over")
+        poses, warnings = run.rotation.GetClientSideObject().GetOutputDataObject(1), []
+        flown = poses.GetMTime()
+        run.rotation.UpdatePipeline()
+        self.assertEqual(flown, poses.GetMTime(), "nothing has changed")
+        collect(run.assimilation.GetClientSideObject(), "WarningEvent", warnings)
+        before = run.positions
+        run.assimilation.Glide = 0.5
+        run.rotation.UpdatePipeline()
+        self.assertGreater(np.abs(run.positions - before).max(), 0.0)
+        self.assertEqual([], warnings)
 
     def test_a_seed_that_cannot_be_is_refused_and_changes_nothing(self):
         before = self.run_.positions

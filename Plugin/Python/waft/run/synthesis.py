@@ -119,6 +119,7 @@ def _fly(request, scene_folder=None):
             if checkpoint is not None and not stopped:
                 checkpoint.hand_on(Store())
                 checkpoint.clear()
+                _forget_files(pipeline)
         clock.report(1.0, "stopped early" if stopped else "done")
         clock.check_progress()
     return Result(flight, output)
@@ -262,6 +263,15 @@ def _update(name, pipeline, course, settings):
         stage.TimeLimit = max(left, 0.001)
     pipeline.update(name)
     clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
+
+
+def _forget_files(pipeline):
+    """The stages, which live on, write no more what was the run's."""
+    for stage in (pipeline.assimilation, pipeline.spacetime):
+        for name in ("CheckpointFile", "StateFile"):
+            if stage is not None and name in stage.ListProperties():
+                setattr(stage, name, "")
+                stage.UpdateVTKObjects()
 
 
 def _check_room(pipeline, settings):
