@@ -244,11 +244,13 @@ template <class Value>
 void Banded<Value>::Multiply(const std::vector<Value>& x, std::vector<Value>& y) const
 {
   const std::size_t band = this->HalfBand();
-  y.assign(this->N, Value{});
+  const bool isUsual = band == UsualBand && this->N > band;
+  const std::size_t rows = isUsual ? band : this->N; // the others are written once
+  y.resize(this->N);
+  std::fill_n(y.begin(), rows, Value{});
   const auto* from = Lanes(x.data());
   auto* to = Lanes(y.data());
-  const bool isUsual = band == UsualBand && this->N > band;
-  for (std::size_t i = 0; i < (isUsual ? band : this->N); ++i)
+  for (std::size_t i = 0; i < rows; ++i)
   {
     const auto* diagonal = Lanes(this->Values.data()) + i * this->Width + band;
     auto sum = *diagonal * from[i];
