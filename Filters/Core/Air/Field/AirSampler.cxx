@@ -36,7 +36,7 @@ WAFT_INLINE void ReadPair(const Half3* values, std::size_t next, Float4& low, Fl
   std::memcpy(&first, bytes, sizeof(first));
   std::memcpy(&second, bytes + 2 * sizeof(Half3) - sizeof(second), sizeof(second));
   low = FromHalves(first);
-  high = FromHalves(__builtin_shuffle(second, Halves{ 1, 2, 3, 0 }));
+  high = FromHalves(__builtin_shufflevector(second, second, 1, 2, 3, 0));
 }
 
 } // namespace
