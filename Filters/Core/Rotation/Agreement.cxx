@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/Agreement.h"
 
+#include "Rotation/KeepAbove.h"
 #include "Rotation/RigidBody.h"
 
 #include <algorithm>
@@ -54,7 +55,9 @@ std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
     state.SetVelocity(body, track.Slips[from]);
     for (int k = first; k < first + span; ++k)
     {
-      AdvanceFrame(body, path, k, Settling(), nullptr, state);
+      Floor floor;
+      const bool near = FindFloor(plan, k, path.Step, floor);
+      AdvanceFrame(body, path, k, Settling(), near ? &floor : nullptr, state);
     }
     away.push_back(LogMap(state.Orientation * poses.Orientations[to].conjugate()).norm());
   }

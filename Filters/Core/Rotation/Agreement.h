@@ -10,9 +10,9 @@ namespace waft
 {
 
 /// From every tenth pose of a body's flight on it is turned again for half a second in the air
-/// along its path, from its own turning and slip: how far that leads away from its poses [rad], as
-/// they are in the end. In the order of frames; without those where rests or orientation rows turn
-/// it. Tumbling is chaotic: over longer times no two flights agree.
+/// along its path and by the surfaces there, from its own turning and slip: how far that leads away
+/// from its poses [rad], as they are in the end. In the order of frames; without those where rests
+/// or orientation rows turn it. Tumbling is chaotic: over longer times no two flights agree.
 std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
                                const FlightPath& path, const PoseTrack& poses);
 

@@ -241,14 +241,14 @@ private:
       const Quat& now = this->State.Flight.Orientation;
       const Settling settling = landing ? landing->Draw(k, now) : Settling();
       const bool lands = landing && (settling.Weight > 0.0 || landing->IsNear(k));
-      if (this->HasFlown() && !this->IsLive && !lands)
+      if (this->HasFlown() && !this->IsLive && !lands && k < this->Plan.TurnsFrom)
       {
         this->TakeFlown(k + 1);
         continue;
       }
       this->IsLive = true;
       Floor floor;
-      const bool near = this->FindFloor(k, floor);
+      const bool near = FindFloor(this->Plan, k, this->Path.Step, floor);
       if (near && landing && landing->IsNear(k))
       {
         landing->Support(k, now, this->Path.Step, floor);
@@ -274,30 +274,6 @@ private:
       return this->State.Frame;
     }
     return end;
-  }
-
-  /// The surface nearest to the centre from a frame to the next; false when none is in reach.
-  bool FindFloor(int frame, Floor& floor) const
-  {
-    if (this->Plan.Obstacles == nullptr)
-    {
-      return false;
-    }
-    const double reach = this->Plan.BoundingRadius;
-    const auto height = [&](int k)
-    { return this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[k], k, 2.0 * reach); };
-    const double after = height(frame + 1);
-    floor.Height = height(frame);
-    if (std::min(floor.Height, after) >= reach)
-    {
-      return false;
-    }
-    floor.Points = &this->Plan.Body->Mesh.Points;
-    floor.Rate = (after - floor.Height) / this->Path.Step;
-    SurfaceHit hit;
-    this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[frame + 1], frame + 1, hit);
-    floor.Normal = hit.Normal;
-    return true;
   }
 
   /// Turns the poses before a key by a fraction of what is missing there, more and more.

@@ -124,7 +124,7 @@ template <class Job, class Input, class Options>
 void MoveJob(StateArchive& stream, Job& job, Input& input, Options& options)
 {
   stream.Values(input.Scene, input.Objects, input.Tracks, input.Shapes, input.Constraints,
-                input.Glides, job.Obstacles, job.Draws, job.Air, job.Gradients);
+                input.Glides, input.TurnsFrom, job.Obstacles, job.Draws, job.Air, job.Gradients);
   RotationOptions::Visit(stream, options);
 }
 
@@ -267,6 +267,7 @@ void BodyTurner::Set(std::size_t i, const Act& act) const
   AttitudePlan plan = MakePlan(input, this->Chosen, this->Places, object, track);
   plan.BoundingRadius = shape.Properties.BoundingRadius;
   plan.Glides = input.Glides;
+  plan.TurnsFrom = input.TurnsFrom.empty() ? plan.TurnsFrom : input.TurnsFrom[i];
   FlightPath path = MakePath(input, i, draw, glider.Pace);
   path.Ease = glider.Ease;
   if (draw > 0.0)
@@ -285,7 +286,7 @@ BodyTurn BodyTurner::Turn(std::size_t i) const
             {
               turn.Factors = glider.FactorsAt(draw);
               turn.Outcome = TurnObjectWithin(this->Limit, plan, body, path);
-              if (HasFlown(this->Given.Tracks[i]) && draw > 0.0)
+              if (HasFlown(this->Given.Tracks[i]) && this->Given.TurnsFrom.empty() && draw > 0.0)
               {
                 SetLimit(this->Limit, path);
                 turn.Away = TurnedAway(plan, body, path, turn.Outcome.Poses);

@@ -32,6 +32,30 @@ std::vector<Vec3> Spread(const std::vector<Vec3>& own, int reach, const FrameMar
 }
 } // namespace
 
+bool FindFloor(const AttitudePlan& plan, int frame, double step, Floor& floor)
+{
+  if (plan.Obstacles == nullptr)
+  {
+    return false;
+  }
+  const double reach = plan.BoundingRadius;
+  const std::vector<Vec3>& places = plan.Path->Positions;
+  const auto height = [&](int k)
+  { return plan.Obstacles->SignedDistance(places[k], k, 2.0 * reach); };
+  const double after = height(frame + 1);
+  floor.Height = height(frame);
+  if (std::min(floor.Height, after) >= reach)
+  {
+    return false;
+  }
+  floor.Points = &plan.Body->Mesh.Points;
+  floor.Rate = (after - floor.Height) / step;
+  SurfaceHit hit;
+  plan.Obstacles->SignedDistance(places[frame + 1], frame + 1, hit);
+  floor.Normal = hit.Normal;
+  return true;
+}
+
 void KeepAbove(const AttitudePlan& plan, FrameMarks& marks, AttitudeOutcome& out)
 {
   const double fps = plan.Time.FramesPerSecond;

@@ -5,11 +5,16 @@
 
 #include "Rotation/Attitude.h"
 #include "Rotation/Contact.h"
+#include "Rotation/FloorContact.h"
 
 #include <vector>
 
 namespace waft
 {
+
+/// The surface nearest to the centre from a frame to the next, which are `step` seconds of the
+/// body's turning apart; false when none is in reach.
+bool FindFloor(const AttitudePlan& plan, int frame, double step, Floor& floor);
 
 /// What the flight has left of each frame.
 struct FrameMarks

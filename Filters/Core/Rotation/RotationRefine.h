@@ -81,6 +81,8 @@ struct RotationInput
   /// Bodies are drawn by their weight alone, whatever their paths, and their Slips are given: where
   /// they glide is for who moves them. Tracks with Slips keep the poses that are theirs.
   bool Glides = false;
+  /// By track, the frame from which one with Slips turns anew all the same; empty: none does.
+  std::vector<int> TurnsFrom;
   PreparedShapes* Prepared = nullptr; // of an earlier run with these Shapes and options; or none
   /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
   Communicator* Ranks = nullptr;

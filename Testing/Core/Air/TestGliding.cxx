@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies that go where their poses take them while they drift to their marks.
+#include "Air/Field/AirSampler.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Air/Run/AssimilationState.h"
 #include "Base/Primitives.h"
@@ -8,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 using namespace waft;
@@ -107,6 +110,51 @@ TEST(Gliding, GoesBySlipAndControlToItsMarks)
     }
   }
   EXPECT_GT(across, 0.1); // m/s
+}
+
+TEST(Gliding, TurnsInTheAirThroughWhichItGoes)
+{
+  AssimilationInput input = Leaves();
+  EXPECT_TRUE(MakeBuiltinShape("feather", 0.0, input.Shapes[0])); // large in the eddies of the air
+  const AssimilationOutput output = Flown(input, Small());
+  RotationInput again;
+  again.Scene = input.Scene;
+  again.Shapes = input.Shapes;
+  again.Objects = input.Objects;
+  again.Tracks = output.Tracks;
+  again.Constraints = output.Constraints;
+  std::vector<std::vector<Vec3>> velocities;
+  std::vector<std::vector<Mat3>> gradients;
+  const AirSampler sampler(output.Air->Velocity);
+  for (const Track& track : output.Tracks)
+  {
+    velocities.emplace_back();
+    gradients.emplace_back();
+    for (int k = 0; k < Frames; ++k)
+    {
+      Mat3 gradient;
+      velocities.back().push_back(
+        sampler.At(k, track.Positions[static_cast<std::size_t>(k)], &gradient));
+      gradients.back().push_back(gradient);
+    }
+  }
+  const AirOnTracks air(velocities, gradients);
+  again.Air = &air;
+  SilentMonitor monitor;
+  RotationOutput turned;
+  ASSERT_TRUE(RunRotationRefine(again, RotationOptions(), SerialFor(), monitor, turned));
+  std::vector<double> away; // rad
+  for (const std::vector<double>& own : turned.Away)
+  {
+    away.insert(away.end(), own.begin(), own.end());
+  }
+  std::sort(away.begin(), away.end());
+  ASSERT_GT(away.size(), 20u);
+  const double degree = std::acos(-1.0) / 180.0;
+  EXPECT_LT(away[away.size() / 2], 15.0 * degree);
+  EXPECT_LT(away[9 * away.size() / 10], 45.0 * degree);
+  std::printf("agreement of feathers: %.1f, %.1f degrees\n", away[away.size() / 2] / degree,
+              away[9 * away.size() / 10] / degree);
 }
 
 TEST(Gliding, IsTheSameOnAnyNumberOfThreads)

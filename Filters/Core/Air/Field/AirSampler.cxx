@@ -117,7 +117,7 @@ Vec3 AirSampler::Between(int k, const Vec3& x, Mat3* gradient) const
   return Interpolate(voxel, means, gradient);
 }
 
-Vec3 AirSampler::At(int frame, const Vec3& x) const
+Vec3 AirSampler::At(int frame, const Vec3& x, Mat3* gradient) const
 {
   const Half3* values = this->Air.Values[static_cast<std::size_t>(frame)].data();
   const Voxel voxel = this->Find(x);
@@ -128,7 +128,7 @@ Vec3 AirSampler::At(int frame, const Vec3& x) const
     low = __builtin_convertvector(lows, Double4);
     high = __builtin_convertvector(highs, Double4);
   };
-  return Interpolate(voxel, corners, nullptr);
+  return Interpolate(voxel, corners, gradient);
 }
 
 } // namespace waft

@@ -16,7 +16,7 @@ public:
   /// gradient d u_i / d x_j [1/s] across them is 0. [m/s]
   Vec3 Between(int k, const Vec3& x, Mat3* gradient = nullptr) const;
   /// At a frame.
-  Vec3 At(int frame, const Vec3& x) const;
+  Vec3 At(int frame, const Vec3& x, Mat3* gradient = nullptr) const;
 
 private:
   // Where x lies: its voxel's lowest corner, how far the others are from it in the list of values

@@ -21,7 +21,6 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
-constexpr double Astray = 60.0; // degrees, of a body that turns anew in the last air
 
 void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
 {
@@ -124,8 +123,7 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
                           state.Bodies);
     WAFT_RETURN_IF_FAILED(result);
   }
-  return result.IsStopped() ? result
-                            : TurnAstray(run, state.Sampled.Velocity, Astray, state.Bodies);
+  return result.IsStopped() ? result : TurnAstray(run, state.Sampled.Velocity, state.Bodies);
 }
 
 } // namespace

@@ -19,9 +19,6 @@ namespace
 
 constexpr double SteeringRate = 6.0;                  // 1/s
 constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0.8 GB
-// Mean degrees, from which a body turns anew before the last winds of a round. Where all did, the
-// control that each new glide asks for was never made up for: 0.083 of the flow, not 0.060.
-constexpr double Disagreeing = 25.0;
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
 bool AddWind(const AirContext& run, const HalfSeries& plain, const WindCorrection& correction,
@@ -118,10 +115,9 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
     const bool isFirst = k == 0 && state.Bodies.Poses.empty();
     if (isFirst || (k == again && run.Options.Rounds > 0))
     {
-      const Result turned =
-        isFirst ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
-                               Everybody(state.Bodies), state.Bodies)
-                : TurnDisagreeing(run, state.Sampled.Velocity, Disagreeing, state.Bodies);
+      const Result turned = isFirst ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
+                                                   Everybody(state.Bodies), state.Bodies)
+                                    : TurnDisagreeing(run, state.Sampled.Velocity, state.Bodies);
       if (!turned || turned.IsStopped())
       {
         state.Sampled.Velocity = plain;

@@ -4,6 +4,7 @@
 #include "Air/Drift/DriftSearch.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
+#include "Air/Run/EachBody.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,12 @@ namespace waft
 namespace
 {
 
+constexpr double Degree = 0.017453292519943295;  // rad
+constexpr double AgreeingMedian = 15.0 * Degree; // rad, that is wanted of each body
+constexpr double AgreeingHigh = 45.0 * Degree;   // of the 90th percentile
+constexpr int LastPasses = 3;
+constexpr double StepTime = 1.0 / 3.0; // s
+constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
 
@@ -25,10 +32,23 @@ struct Turning
   AirOnTracks Air;
 };
 
-/// Bodies, with their touch-downs as they are, in the air about their paths. flown: with the poses
-/// that they have.
-Result SetUp(const AirContext& run, const HalfSeries& series, bool flown, AirBodies& bodies,
-             Turning& turning)
+/// From `next` on, those that may turn anew, so many at most; next: the one after them.
+void Choose(const AirBodies& bodies, const std::vector<char>& which, std::size_t most,
+            std::size_t& next, Turning& turning)
+{
+  for (; next < bodies.Size() && turning.Which.size() < most; ++next)
+  {
+    if (which[next] && !bodies.IsKept(next))
+    {
+      turning.Which.push_back(next);
+    }
+  }
+}
+
+/// Those that were chosen, with their touch-downs as they are, in the air about their paths.
+/// flown: with the poses that they have.
+void SetUp(const AirContext& run, const HalfSeries& series, bool flown, AirBodies& bodies,
+           Turning& turning)
 {
   RotationInput& input = turning.Input;
   input.Scene = run.Input.Scene;
@@ -46,15 +66,25 @@ Result SetUp(const AirContext& run, const HalfSeries& series, bool flown, AirBod
     input.Tracks.back().Positions = bodies.Paths[o];
     input.Constraints.insert(input.Constraints.end(), body.Rows().begin(), body.Rows().end());
   }
-  const Timeline& line = run.Input.Scene.Time;
-  turning.Air = AirOnTracks(input.Tracks, line);
-  for (int frame = 0; frame < line.NumberOfFrames; ++frame)
-  {
-    WAFT_RETURN_IF_FAILED(turning.Air.Add(FieldAt(series, line.Time(frame))));
-  }
-  turning.Air.Finish();
+  const AirSampler air(series);
+  std::vector<std::vector<Vec3>> velocities(input.Tracks.size());
+  std::vector<std::vector<Mat3>> gradients(input.Tracks.size());
+  run.Parallel(input.Tracks.size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   const std::vector<Vec3>& path = input.Tracks[i].Positions;
+                   velocities[i].resize(path.size());
+                   gradients[i].resize(path.size());
+                   for (std::size_t k = 0; k < path.size(); ++k)
+                   {
+                     velocities[i][k] = air.At(static_cast<int>(k), path[k], &gradients[i][k]);
+                   }
+                 }
+               });
+  turning.Air = AirOnTracks(velocities, gradients);
   input.Air = &turning.Air;
-  return Result::Ok();
 }
 
 RotationOptions OptionsOf(const AirContext& run)
@@ -65,33 +95,25 @@ RotationOptions OptionsOf(const AirContext& run)
   return options;
 }
 
-/// Turns those that may turn anew, so many at a time: what is needed meanwhile of
-/// each is three times what is kept of it. take(o, i, turned): of the body o, the i-th of those
-/// turned.
+/// Turns those that may turn anew, so many at a time: what is needed meanwhile of each is three
+/// times what is kept of it. take(o, i, turned): of the body o, the i-th of those turned.
 template <class Take>
 Result Turn(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
             bool flown, AirBodies& bodies, const Take& take)
 {
-  std::size_t next = 0;
-  const RotationOptions options = OptionsOf(run);
   PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
-  while (next < bodies.Size())
+  for (std::size_t next = 0; next < bodies.Size();)
   {
     Turning turning;
-    for (; next < bodies.Size() && turning.Which.size() < TurnedAtOnce; ++next)
-    {
-      if (which[next] && !bodies.IsKept(next))
-      {
-        turning.Which.push_back(next);
-      }
-    }
+    Choose(bodies, which, TurnedAtOnce, next, turning);
     if (turning.Which.empty())
     {
       break;
     }
-    WAFT_RETURN_IF_FAILED(SetUp(run, air, flown, bodies, turning));
+    SetUp(run, air, flown, bodies, turning);
     RotationOutput turned;
-    const Result result = RunRotationRefine(turning.Input, options, run.Parallel, monitor, turned);
+    const Result result =
+      RunRotationRefine(turning.Input, OptionsOf(run), run.Parallel, monitor, turned);
     if (!result || result.IsStopped())
     {
       return result;
@@ -104,29 +126,68 @@ Result Turn(const AirContext& run, const HalfSeries& air, const std::vector<char
   return Result::Ok();
 }
 
-// Whose mean agreement is beyond these degrees.
-Result FindDisagreeing(const AirContext& run, const HalfSeries& air, double degrees,
-                       AirBodies& bodies, std::vector<char>& which)
+// How far half a second of turning leads away from the poses of those that glide [rad], as they are
+// in the air as it is; nothing of whom there is nothing to be said.
+Result FindAway(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
+                AirBodies& bodies, std::vector<std::vector<double>>& away)
 {
-  which.assign(bodies.Size(), 0);
+  away.assign(bodies.Size(), {});
   if (bodies.Poses.empty())
   {
     return Result::Ok();
   }
-  const double most = degrees * std::acos(-1.0) / 180.0;
-  std::vector<char> found(bodies.Size(), 0);
-  const auto judge = [&](std::size_t o, std::size_t i, const RotationOutput& turned)
+  const auto take = [&away](std::size_t o, std::size_t i, RotationOutput& turned)
   {
-    const std::vector<double>& away = turned.Away[i];
-    const double sum = std::accumulate(away.begin(), away.end(), 0.0);
-    found[o] = sum > most * static_cast<double>(away.size()) ? 1 : 0;
+    if (i < turned.Away.size())
+    {
+      away[o] = std::move(turned.Away[i]);
+    }
   };
-  const Result result = Turn(run, air, Everybody(bodies), true, bodies, judge);
-  if (result && !result.IsStopped())
+  return Turn(run, air, which, true, bodies, take);
+}
+
+// How far a body is from what is wanted of its agreement, in the median or in the 90th percentile:
+// at most 1 where it agrees.
+double Disagreement(std::vector<double> away)
+{
+  if (away.empty())
   {
-    which = std::move(found);
+    return 0.0;
   }
-  return result;
+  std::sort(away.begin(), away.end());
+  const auto at = [&](double share)
+  { return away[static_cast<std::size_t>(share * static_cast<double>(away.size() - 1) + 0.5)]; };
+  return std::max(at(0.5) / AgreeingMedian, at(0.9) / AgreeingHigh);
+}
+
+// Control over the flow, of each body.
+std::vector<double> ControlShares(const AirContext& run, const HalfSeries& air,
+                                  const AirBodies& bodies)
+{
+  std::vector<double> shares;
+  for (const ResidualControl& own : ResidualControlsOf(run, bodies, air))
+  {
+    shares.push_back(own.Rms(own.Control) / std::max(own.Rms(own.Flow), 1e-12));
+  }
+  return shares;
+}
+
+// Its poses after a frame, and the slips of these; what was before stays.
+void TakePoses(int frame, const AirContext& run, std::size_t o, PoseTrack& turned,
+               AirBodies& bodies)
+{
+  const double glide = run.Options.Glide;
+  const std::vector<Vec3> before = std::move(bodies.Poses[o].Slips);
+  PoseTrack& poses = bodies.Poses[o];
+  poses = std::move(turned);
+  poses.Torques = {}; // which nobody asks for here
+  const Vec3 sinking = LawOf(bodies.Problems[o].Object()).Velocity(Vec3::Zero());
+  for (std::size_t k = 0; k < poses.Slips.size(); ++k)
+  {
+    Vec3& slip = poses.Slips[k];
+    slip = static_cast<int>(k) <= frame ? before[k] : glide * slip + (1.0 - glide) * sinking;
+  }
+  bodies.Problems[o].SetSlips(poses.Slips);
 }
 
 bool IsNobody(const std::vector<char>& which)
@@ -166,84 +227,140 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
     return Result::Ok();
   }
   std::vector<PoseTrack> poses(bodies.Size());
-  const auto take = [&](std::size_t o, std::size_t i, RotationOutput& turned)
-  {
-    poses[o] = std::move(turned.Poses[i]);
-    poses[o].Torques = {}; // which nobody asks for here
-  };
+  const auto take = [&poses](std::size_t o, std::size_t i, RotationOutput& turned)
+  { poses[o] = std::move(turned.Poses[i]); };
   const Result result = Turn(run, air, which, false, bodies, take);
   if (!result || result.IsStopped())
   {
     return result;
   }
   bodies.Poses.resize(bodies.Size());
-  const double glide = run.Options.Glide;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    if (!which[o] || bodies.IsKept(o))
+    if (which[o] && !bodies.IsKept(o))
     {
-      continue;
+      TakePoses(-1, run, o, poses[o], bodies);
     }
-    const Vec3 sinking = LawOf(bodies.Problems[o].Object()).Velocity(Vec3::Zero());
-    for (Vec3& slip : poses[o].Slips)
-    {
-      slip = glide * slip + (1.0 - glide) * sinking;
-    }
-    bodies.Problems[o].SetSlips(poses[o].Slips);
-    bodies.Poses[o] = std::move(poses[o]);
   }
-  PartMonitor drifting(run.Caller, -1.0, -1.0, "Letting the objects drift to their marks");
+  PartMonitor drifting(run.Caller, -1.0, -1.0, DriftingText);
   return DriftOn(run, air, iterations, bodies, drifting);
 }
 
-Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, double degrees,
-                       AirBodies& bodies)
+Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
+                    AirBodies& bodies)
 {
-  std::vector<char> which;
-  const Result found = FindDisagreeing(run, air, degrees, bodies, which);
-  return IsNobody(which) ? found : TurnAndDrift(run, air, FurtherIterations, which, bodies);
+  const AirSampler sampler(air);
+  const int frames = run.Input.Scene.Time.NumberOfFrames;
+  const int stride =
+    std::max(1, static_cast<int>(std::lround(StepTime * run.Input.Scene.Time.FramesPerSecond)));
+  for (int first = 0; first < frames - 1; first += stride)
+  {
+    Turning turning;
+    std::size_t next = 0;
+    Choose(bodies, which, bodies.Size(), next, turning);
+    SetUp(run, air, true, bodies, turning);
+    turning.Input.Glides = true;
+    turning.Input.TurnsFrom.assign(turning.Which.size(), first);
+    RotationOutput turned;
+    PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
+    const Result result =
+      RunRotationRefine(turning.Input, OptionsOf(run), run.Parallel, monitor, turned);
+    if (!result || result.IsStopped())
+    {
+      return result;
+    }
+    for (std::size_t i = 0; i < turning.Which.size(); ++i)
+    {
+      TakePoses(first, run, turning.Which[i], turned.Poses[i], bodies);
+    }
+    run.Parallel(turning.Which.size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     const std::size_t o = turning.Which[i];
+                     DriftProblem problem = bodies.Problems[o].In(sampler);
+                     for (std::size_t k = 0; k <= static_cast<std::size_t>(first); ++k)
+                     {
+                       problem.IsFixed[k] = 1;
+                       problem.Fixed[k] = bodies.Paths[o][k];
+                     }
+                     SolveDrift(problem, sampler, run.Search.Weights, FurtherIterations,
+                                bodies.Paths[o]);
+                   }
+                 });
+  }
+  return Result::Ok();
 }
 
-Result TurnAstray(const AirContext& run, const HalfSeries& air, double degrees, AirBodies& bodies)
+Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
 {
-  std::vector<char> which;
-  const Result found = FindDisagreeing(run, air, degrees, bodies, which);
-  if (IsNobody(which))
+  std::vector<std::vector<double>> away;
+  const Result found = FindAway(run, air, Everybody(bodies), bodies, away);
+  if (!found || found.IsStopped())
   {
     return found;
   }
-  const auto shares = [&]
+  std::vector<char> which;
+  for (const std::vector<double>& own : away)
   {
-    std::vector<double> each;
-    for (const ResidualControl& own : ResidualControlsOf(run, bodies, air))
+    which.push_back(Disagreement(own) > 1.0 ? 1 : 0);
+  }
+  return IsNobody(which) ? found : TurnStepwise(run, air, which, bodies);
+}
+
+Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
+{
+  std::vector<std::vector<double>> away;
+  Result result = FindAway(run, air, Everybody(bodies), bodies, away);
+  std::vector<double> least; // disagreement
+  for (const std::vector<double>& own : away)
+  {
+    least.push_back(Disagreement(own));
+  }
+  const std::vector<double> before = ControlShares(run, air, bodies);
+  std::vector<char> which = Everybody(bodies);
+  for (int pass = 0; pass < LastPasses && result && !result.IsStopped(); ++pass)
+  {
+    for (std::size_t o = 0; o < bodies.Size(); ++o)
     {
-      each.push_back(own.Rms(own.Control) / std::max(own.Rms(own.Flow), 1e-12));
+      which[o] = which[o] && least[o] > 1.0 && !bodies.IsKept(o) ? 1 : 0;
     }
-    return each;
-  };
-  std::vector<std::vector<Vec3>> paths(bodies.Size());
-  std::vector<PoseTrack> poses(bodies.Size());
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
-  {
-    if (which[o])
+    if (IsNobody(which))
     {
-      paths[o] = bodies.Paths[o];
-      poses[o] = bodies.Poses[o];
+      break;
+    }
+    const std::vector<std::vector<Vec3>> paths = bodies.Paths;
+    const std::vector<PoseTrack> poses = bodies.Poses;
+    result = TurnStepwise(run, air, which, bodies);
+    if (result && !result.IsStopped())
+    {
+      PartMonitor drifting(run.Caller, -1.0, -1.0, DriftingText);
+      result = EachBody(run, air, BodyTask::Drift, DriftIterations, which, bodies, drifting);
+    }
+    if (result && !result.IsStopped())
+    {
+      result = FindAway(run, air, which, bodies, away);
+    }
+    const std::vector<double> shares = ControlShares(run, air, bodies);
+    for (std::size_t o = 0; o < bodies.Size(); ++o)
+    {
+      const double now = Disagreement(away[o]);
+      const bool isCalm = shares[o] <= std::max(EnoughControl, before[o]);
+      if (which[o] && isCalm && now < least[o] && result && !result.IsStopped())
+      {
+        least[o] = now;
+      }
+      else if (which[o])
+      {
+        bodies.Paths[o] = paths[o];
+        bodies.Poses[o] = poses[o];
+        bodies.Problems[o].SetSlips(poses[o].Slips);
+        which[o] = 0; // it would be the same again
+      }
     }
   }
-  const std::vector<double> before = shares();
-  const Result turned = TurnAndDrift(run, air, DriftIterations, which, bodies);
-  const std::vector<double> after = shares();
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
-  {
-    if (which[o] && !bodies.IsKept(o) && after[o] > std::max(EnoughControl, before[o]))
-    {
-      bodies.Paths[o] = paths[o];
-      bodies.Poses[o] = poses[o];
-      bodies.Problems[o].SetSlips(poses[o].Slips);
-    }
-  }
-  return turned;
+  return result;
 }
 
 } // namespace waft
