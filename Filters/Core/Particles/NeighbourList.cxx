@@ -145,7 +145,7 @@ void NeighbourList::Update(const SphKernelTable& kernels, std::size_t n, std::si
                            const float* x, const float* y, const float* z, float support,
                            NeighbourScratch& scratch)
 {
-  // A list costs about as much to build as four evaluations of its sums.
+  // A list costs little more to build than an evaluation of its sums.
   constexpr int FewUses = 5;
   constexpr int ManyUses = 15;
   constexpr float NarrowestSkin = 0.1f;

@@ -195,6 +195,12 @@ inline Lanes LoadBits(const std::uint16_t* p)
   return { _mm256_castsi256_ps(
     _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p)))) };
 }
+/// Eight whole numbers one after the other, from the first.
+inline Lanes BitsFrom(std::uint32_t first)
+{
+  return { _mm256_castsi256_ps(_mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
+                                                _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7))) };
+}
 inline void StoreBits(Lanes a, std::uint32_t* p)
 {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm256_castps_si256(a.Value));

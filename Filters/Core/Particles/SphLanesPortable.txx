@@ -190,6 +190,15 @@ inline Lanes LoadBits(const Index* p)
   }
   return r;
 }
+inline Lanes BitsFrom(std::uint32_t first)
+{
+  std::uint32_t whole[8];
+  for (std::uint32_t k = 0; k < 8; ++k)
+  {
+    whole[k] = first + k;
+  }
+  return LoadBits(whole);
+}
 inline void StoreBits(const Lanes& a, std::uint32_t* p)
 {
   __builtin_memcpy(p, a.Value, sizeof(a.Value));

@@ -269,11 +269,8 @@ std::size_t NearPoints(const float* x, const float* y, const float* z, std::size
     {
       mask &= (1u << (end - i)) - 1u;
     }
-    while (mask != 0)
-    {
-      found[count++] = static_cast<std::uint32_t>(i) + __builtin_ctz(mask);
-      mask &= mask - 1;
-    }
+    StoreBits(LaneOrder(mask, 0)(BitsFrom(static_cast<std::uint32_t>(i))), found + count);
+    count += static_cast<std::size_t>(__builtin_popcount(mask));
   }
   return count;
 }

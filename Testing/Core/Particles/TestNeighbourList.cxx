@@ -14,7 +14,8 @@ using namespace waft;
 namespace
 {
 
-void CheckAgainstBruteForce(std::size_t n, std::size_t gas, const Vec3& size, float reach)
+void CheckAgainstBruteForce(const SphKernelTable& kernels, std::size_t n, std::size_t gas,
+                            const Vec3& size, float reach)
 {
   Random random(7);
   std::vector<float> x[3];
@@ -28,7 +29,7 @@ void CheckAgainstBruteForce(std::size_t n, std::size_t gas, const Vec3& size, fl
   }
   NeighbourScratch scratch;
   NeighbourList list;
-  list.Build(FastestSphKernels(), n, gas, x[0].data(), x[1].data(), x[2].data(), reach, scratch);
+  list.Build(kernels, n, gas, x[0].data(), x[1].data(), x[2].data(), reach, scratch);
   const SphNeighbours view = list.View();
   std::vector<std::size_t> particles(list.Order().begin(), list.Order().end());
   particles.push_back(n); // the far one
@@ -80,14 +81,22 @@ void CheckAgainstBruteForce(std::size_t n, std::size_t gas, const Vec3& size, fl
 
 TEST(NeighbourList, EqualsBruteForce)
 {
-  CheckAgainstBruteForce(700, 650, Vec3(4.0, 3.0, 5.0), 2.55f);
-  CheckAgainstBruteForce(300, 300, Vec3(9.0, 0.5, 0.5), 1.0f);
-  CheckAgainstBruteForce(40, 20, Vec3(0.2, 0.2, 0.2), 2.0f);
+  for (const SphKernelTable* table :
+       { &PortableSphKernels(), Avx2SphKernels(), Avx512SphKernels() })
+  {
+    if (table != nullptr)
+    {
+      SCOPED_TRACE(table->Name);
+      CheckAgainstBruteForce(*table, 700, 650, Vec3(4.0, 3.0, 5.0), 2.55f);
+      CheckAgainstBruteForce(*table, 300, 300, Vec3(9.0, 0.5, 0.5), 1.0f);
+      CheckAgainstBruteForce(*table, 40, 20, Vec3(0.2, 0.2, 0.2), 2.0f);
+    }
+  }
 }
 
 TEST(NeighbourList, UsesWideIndicesForManyParticles)
 {
-  CheckAgainstBruteForce(66000, 65900, Vec3(20.0, 20.0, 20.0), 1.0f);
+  CheckAgainstBruteForce(FastestSphKernels(), 66000, 65900, Vec3(20.0, 20.0, 20.0), 1.0f);
 }
 
 TEST(NeighbourList, LaysWhatIsNearInSpaceSideBySide)
