@@ -72,13 +72,12 @@ struct SpacetimeOptions : TermWeights
                        "",
                        "Sound speed times frame step over h: how stiff the gas is." },
           of.CourantNumber...);
-    visit(
-      OptionField{
-        "Viscosity",
-        { 0, 2 },
-        "",
-        "Artificial viscosity alpha. Below 0.18 gas at rest stirs itself within half a minute." },
-      of.Viscosity...);
+    visit(OptionField{ "Viscosity",
+                       { 0, 2 },
+                       "",
+                       "Artificial viscosity alpha. The less, the sooner gas at rest stirs itself: "
+                       "with 0.2 in half a minute." },
+          of.Viscosity...);
     visit(
       OptionField{
         "PressureExponent", { 1, 7 }, "", "Exponent gamma of the equation of state, Eq. 12." },
