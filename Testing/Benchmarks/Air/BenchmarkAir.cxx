@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // WaftBenchmarkAir [objects] [frames] [voxels]: leaves that fall from a cloud to places on the
-// ground in one sampled air, part by part, and one leaf's drift beside the same by a dense matrix
-// and differences.
+// ground in one sampled air, part by part; one leaf's drift beside the same by a dense matrix and
+// differences; and a heap of leaves that come down on each other.
+#include "Air/Drift/DriftTogether.h"
 #include "Air/PlainDrift.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Base/Primitives.h"
@@ -100,6 +101,49 @@ void PrintDrifts(const HalfSeries& air, const Track& track, double rate)
               seconds, outcome.Cost, plain, cost, plain / seconds);
 }
 
+// Straight down from a cloud to a dense heap, by the first steps of the way to what they cost
+// least.
+void PrintHeap(const HalfSeries& air, int count, double rate)
+{
+  constexpr int Steps = 8;
+  constexpr double Radius = 0.035; // m
+  const auto frames = static_cast<std::size_t>(air.Values.size());
+  const double side = 0.012 * std::sqrt(static_cast<double>(count)); // m, half of the heap's
+  Random random(4);
+  std::vector<TogetherBody> bodies(static_cast<std::size_t>(count));
+  KeptDistances kept(rate);
+  std::vector<std::vector<Vec3>> paths;
+  for (TogetherBody& body : bodies)
+  {
+    DriftProblem problem;
+    problem.Time = { static_cast<int>(frames), rate };
+    problem.Law = BodyLaw::Sinking(SettlingSpeed);
+    problem.IsFixed.assign(frames, 0);
+    problem.Fixed.assign(frames, Vec3::Zero());
+    problem.Flight.assign(frames - 1, 1.0);
+    problem.IsFixed.front() = problem.IsFixed.back() = 1;
+    const Vec3 from = problem.Fixed.front() =
+      random.InBox({ Vec3(-1.0, -1.0, 2.0), Vec3(1.0, 1.0, 3.9) });
+    const Vec3 to = problem.Fixed.back() =
+      random.InBox({ Vec3(-side, -side, 0.1), Vec3(side, side, 0.1) });
+    kept.AddBody(Radius, SettlingSpeed, static_cast<int>(frames),
+                 { { 0, from, 0.0 }, { static_cast<int>(frames) - 1, to, 0.0 } });
+    paths.emplace_back();
+    for (std::size_t f = 0; f < frames; ++f)
+    {
+      paths.back().push_back(from + static_cast<double>(f) / (frames - 1.0) * (to - from));
+    }
+    body.Problem = std::make_unique<DriftProblem>(problem);
+  }
+  const std::vector<DriftContact> contacts = FindContacts(kept, paths, 0.5, SerialFor());
+  SilentMonitor monitor;
+  const double begun = ProcessorSeconds();
+  (void)SolveTogether(bodies, contacts, AirSampler(air), DriftWeights().Contact, Steps, SerialFor(),
+                      monitor, paths);
+  std::printf("%d leaves in a heap, %zu contacts: %d steps together %.2f CPU-s, %.0f MB\n", count,
+              contacts.size(), Steps, ProcessorSeconds() - begun, LargestMegabytes());
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -138,5 +182,6 @@ int main(int argc, char** argv)
     before = row.Seconds;
   }
   PrintDrifts(output.Air->Velocity, output.Tracks.front(), 30.0);
+  PrintHeap(output.Air->Velocity, 1000, 30.0);
   return 0;
 }
