@@ -91,7 +91,12 @@ Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objec
 bool KeepApart(const RotationInput& input, double most, const ParallelFor& parallel,
                Monitor& monitor, RotationOutput& result, PartedMotion& parted)
 {
-  std::vector<Track> tracks = input.Tracks;
+  std::vector<Track> tracks(input.Tracks.size()); // places alone
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+  {
+    tracks[i].ObjectId = input.Tracks[i].ObjectId;
+    tracks[i].Positions = input.Tracks[i].Positions;
+  }
   (void)ApplyShifts(result, tracks);
   if (!PartMeshes(input, result.Constraints, most, parallel, monitor, tracks, result.Poses, parted))
   {

@@ -140,8 +140,8 @@ void PrintHeap(const HalfSeries& air, int count, double rate)
   const double begun = ProcessorSeconds();
   (void)SolveTogether(bodies, contacts, AirSampler(air), DriftWeights().Contact, Steps, SerialFor(),
                       monitor, paths);
-  std::printf("%d leaves in a heap, %zu contacts: %d steps together %.2f CPU-s, %.0f MB\n", count,
-              contacts.size(), Steps, ProcessorSeconds() - begun, LargestMegabytes());
+  std::printf("%d leaves in a heap, %zu contacts: %d steps together %.2f CPU-s\n", count,
+              contacts.size(), Steps, ProcessorSeconds() - begun);
 }
 
 } // namespace
