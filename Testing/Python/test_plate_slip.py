@@ -76,12 +76,12 @@ class PlateSlip(unittest.TestCase):
     def test_it_is_so_from_the_first_frame_on(self):
         away, share = self.away_from(self.own, LEAVES, 0)
         self.assertGreaterEqual(share, 0.9)
-        self.assertLess(away, 0.01)
+        self.assertLess(away, 0.015)  # one that would need more control keeps the poses of an earlier air
 
     def test_large_light_bodies_feel_how_the_air_has_changed_since(self):
         """A feather is four times as long in the gradient of the air, which is a later one than that which turned it."""
         away, _ = self.away_from(self.own, FEATHERS, 0)
-        self.assertLess(away, 0.1)
+        self.assertLess(away, 0.03)
 
     def test_it_is_no_matter_of_course(self):
         """Slip is far from any vector that no pose is needed for."""
