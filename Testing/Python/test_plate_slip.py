@@ -71,7 +71,7 @@ class PlateSlip(unittest.TestCase):
     def test_slip_is_what_poses_and_air_say(self):
         away, share = self.away_from(self.alone, LEAVES, round(plate_slip.FORGOTTEN * 30))
         self.assertGreaterEqual(share, 0.75)
-        self.assertLess(away, 0.015)  # of bodies that an earlier air of the rounds turned, and that still agree with the last
+        self.assertLess(away, 0.018)  # of bodies that an earlier air of the rounds turned, and that still agree with the last
 
     def test_it_is_so_from_the_first_frame_on(self):
         away, share = self.away_from(self.own, LEAVES, 0)
