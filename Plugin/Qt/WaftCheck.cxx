@@ -57,8 +57,8 @@ QString SceneOf(pqPipelineSource* source)
   return QString::fromUtf8(vtkSMPropertyHelper(source->getProxy(), "FileName").GetAsString());
 }
 
-/// What the command printed: its last line, which sums up, and the findings.
-QStringList FindingsOf(const QString& printed)
+/// What the command printed of a file: its last line, which sums up, and the findings.
+QStringList FindingsOf(const QString& printed, const QString& file)
 {
   QStringList lines =
     printed.split('\n', Qt::SkipEmptyParts).replaceInStrings(QRegularExpression("^waft: "), "");
@@ -66,7 +66,7 @@ QStringList FindingsOf(const QString& printed)
   {
     return {};
   }
-  lines.prepend(lines.takeLast());
+  lines.prepend(lines.takeLast().replace(file + ":", QFileInfo(file).fileName() + ":"));
   const int more = lines.size() - 1 - MostFindings;
   lines = lines.mid(0, MostFindings + 1);
   if (more > 0)
@@ -110,7 +110,7 @@ void WaftCheck::Run(const QString& file)
                 [this, check, file]
                 {
                   const QStringList findings =
-                    FindingsOf(QString::fromUtf8(check->readAllStandardOutput()));
+                    FindingsOf(QString::fromUtf8(check->readAllStandardOutput()), file);
                   for (const QString& finding : findings) // for a terminal, where there is one
                   {
                     std::cerr << "waft: " << finding.toStdString() << "\n";
