@@ -31,7 +31,7 @@ SCENE = {
     "seed": 3,
     "time": {"frames": 45, "framesPerSecond": 30},
     "shapes": {"leaf": {"builtin": "leaf", "size": 0.15, "settlingSpeed": 0.5}},
-    "objects": [{"shape": "leaf", "position": [0.3 * k, 0.2, 0.6 + 0.3 * k]} for k in range(3)],
+    "objects": [{"shape": "leaf", "position": [0.3 * k, 0.2, z]} for k, z in enumerate((0.6, 1.5, 1.2))],  # the second stays in the air
     "constraints": [
         {"kind": "position", "object": 2, "frame": 30, "value": [0.7, 0.3, 1.0]},
         {"kind": "rest", "object": 0, "frame": 40, "value": [0.1, 0.1, 0.5]},

@@ -26,13 +26,13 @@ WAFT = sys.argv.pop(1)
 MARGIN = 1.2
 FIGURES = {
     "feather-maze": {
-        "private_hand": 0.316, "replay": 0.925, "life_velocity": 1.4, "life_acceleration": 1.29, "band_0.1": 0.565,
-        "band_0.3": 0.626, "band_0.6": 1.57, "band_1.2": 1.11, "start": 1.05, "witnesses_life_velocity": 1.39,
-        "witnesses_life_acceleration": 2.21, "witnesses_one_air_along": 0.645, "witnesses_wind": 0.159},
+        "private_hand": 0.236, "replay": 0.25, "life_velocity": 0.887, "life_acceleration": 1.73, "band_0.1": 0.607,
+        "band_0.3": 0.54, "band_0.6": 0.922, "band_1.2": 1.93, "start": 0.693, "witnesses_life_velocity": 1.38,
+        "witnesses_life_acceleration": 2.2, "witnesses_one_air_along": 0.642, "witnesses_wind": 0.173},
     "leaves-letters": {
-        "private_hand": 0.079, "replay": 0.147, "life_velocity": 1.36, "life_acceleration": 1.02, "band_0.1": 2.16,
-        "band_0.3": 1.61, "band_0.6": 0.928, "band_1.2": 1.24, "start": 0.726, "witnesses_life_velocity": 0.968,
-        "witnesses_life_acceleration": 0.906, "witnesses_one_air_along": 0.589, "witnesses_wind": 0.149, "landing": 0.872},
+        "private_hand": 0.0792, "replay": 0.138, "life_velocity": 1.28, "life_acceleration": 1.07, "band_0.1": 2.23,
+        "band_0.3": 1.72, "band_0.6": 1.02, "band_1.2": 0.932, "start": 0.84, "witnesses_life_velocity": 0.975,
+        "witnesses_life_acceleration": 0.888, "witnesses_one_air_along": 0.609, "witnesses_wind": 0.158, "landing": 0.907},
     "bubbles-stairs": {
         "private_hand": 0.165, "replay": 0.148, "life_velocity": 1.75, "life_acceleration": 4.15, "band_0.1": 1.84,
         "band_0.3": 1.77, "band_0.6": 1.76, "band_1.2": 3.49, "start": 0.348, "witnesses_life_velocity": 1.82,
