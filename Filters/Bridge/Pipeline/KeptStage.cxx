@@ -303,7 +303,7 @@ void KeptStage::Discard()
 
 void KeptStage::LetGo()
 {
-  this->Discard();
+  this->Held.Discard();
   this->Forget();
   this->Keep.clear();
   this->Clear();
