@@ -23,10 +23,12 @@ def main(where, scripts, waft, *names):
         print("skipped: no blender: apt-get install --no-install-recommends blender")
         return SKIPPED
     with tempfile.TemporaryDirectory(prefix="waft-blender-") as folder:
+        temporary = pathlib.Path(folder) / "tmp"  # what another test leaves for a moment in the system's is not this one's
+        temporary.mkdir()
         # Blender takes Python's library from the first python3 on the PATH: that beside it is its own.
         path = os.pathsep.join([os.path.dirname(blender), os.environ["PATH"]])
         environment = {**os.environ, "PATH": path, "BLENDER_USER_SCRIPTS": scripts, "BLENDER_USER_CONFIG": folder,
-                       "PYTHONDONTWRITEBYTECODE": "1", "LIBGL_ALWAYS_SOFTWARE": "1"}
+                       "TMPDIR": str(temporary), "PYTHONDONTWRITEBYTECODE": "1", "LIBGL_ALWAYS_SOFTWARE": "1"}
         options = ["--factory-startup", "--python-exit-code", "1", "--python"]
         if where == "alone":
             return subprocess.run([blender, "-b", *options, HERE / "blender_checks.py", "--", folder, waft, *names], env=environment,
