@@ -3,7 +3,8 @@
 """Flies scenes and keeps how their bodies move, by `waft measure`, in gallery/bodies.json; writes gallery/Bodies.md from all that is
 kept there.
 
-    python3 Documentation/scripts/make_body_table.py RUNS [--waft build/bin/waft] [--quality air] [--date YYYY-MM-DD] [SCENE.waft.json ...]
+    python3 Documentation/scripts/make_body_table.py RUNS [--waft build/bin/waft] [--quality air] [--seed N] [--threads N]
+        [--date YYYY-MM-DD] [SCENE.waft.json ...]
 
 Without scenes all of Data/Scenes and its examples are flown, small ones first. Results are folders RUNS/QUALITY/NAME; a finished one is
 measured again, and not flown. RUNS may be without flights: then the page alone is written anew.
@@ -72,12 +73,13 @@ def size_of(path):
     return bodies * scene.get("time", {}).get("frames", 300)
 
 
-def fly(waft, scene, folder, quality):
+def fly(waft, scene, folder, options):
     """Has a scene flown into a folder, where it is not finished yet; returns whether there is a whole result."""
     if (folder / "report.json").is_file():
         return True
     folder.parent.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run([waft, "synthesize", scene, "--output", folder, "--quality", quality, "--no-csv", "-q"], check=False)
+    asked = ["--quality", options.quality, "--threads", str(options.threads)] + (["--seed", str(options.seed)] if options.seed else [])
+    done = subprocess.run([waft, "synthesize", scene, "--output", folder, *asked, "--no-csv", "-q"], check=False)
     if done.returncode not in DONE:
         print(f"{scene}: waft synthesize ended with {done.returncode}", file=sys.stderr)
     return done.returncode in DONE
@@ -144,14 +146,16 @@ def main():
     parser.add_argument("scenes", type=pathlib.Path, nargs="*")
     parser.add_argument("--waft", default=str(ROOT / "build/bin/waft"))
     parser.add_argument("--quality", default="air")
+    parser.add_argument("--seed", type=int, help="in place of the scene's: the flight is called NAME, seed N")
+    parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--date", default=datetime.date.today().isoformat())
     options = parser.parse_intermixed_args()
     data = ROOT / "Data" / "Scenes"
     scenes = options.scenes or sorted([*data.glob("*.waft.json"), *data.glob("examples/*.waft.json")], key=size_of)
     for scene in scenes if options.runs.is_dir() or options.scenes else ():
-        name = scene.name[:-len(".waft.json")]
+        name = scene.name[:-len(".waft.json")] + (f", seed {options.seed}" if options.seed else "")
         folder = options.runs / options.quality / name
-        if fly(options.waft, scene, folder, options.quality):
+        if fly(options.waft, scene, folder, options):
             entry = measured(options.waft, scene, folder, options.date)
             kept = read_kept()  # after each flight, as it takes minutes, and others may fly at the same time
             kept.setdefault(options.quality, {})[name] = entry

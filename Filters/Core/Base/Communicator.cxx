@@ -43,6 +43,16 @@ void Communicator::Broadcast(const void* sent, void* received, std::size_t size,
   }
 }
 
+void Communicator::Gather(void* items, std::size_t size, const std::vector<std::size_t>& begins)
+{
+  for (int r = 0; r < this->Size(); ++r)
+  {
+    const auto rank = static_cast<std::size_t>(r);
+    char* part = static_cast<char*>(items) + size * begins[rank];
+    this->Broadcast(part, size * (begins[rank + 1] - begins[rank]), r);
+  }
+}
+
 double Communicator::Largest(double value)
 {
   for (int r = 0; r < this->Size(); ++r)

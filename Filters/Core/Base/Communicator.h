@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace waft
 {
@@ -35,9 +36,24 @@ public:
   }
   /// The same: `from` sends, the others receive.
   void Broadcast(const void* sent, void* received, std::size_t size, int from);
+  /// Each rank's part of an array of items of so many bytes, on all of them. begins: the first item
+  /// of each rank, and the end.
+  void Gather(void* items, std::size_t size, const std::vector<std::size_t>& begins);
   /// The largest of all ranks' values.
   double Largest(double value);
 };
+
+/// The first item of each rank, and the end, where all have as many or one more.
+inline std::vector<std::size_t> BeginsOfRanks(std::size_t items, int ranks)
+{
+  const auto size = static_cast<std::size_t>(ranks);
+  std::vector<std::size_t> begins;
+  for (std::size_t r = 0; r <= size; ++r)
+  {
+    begins.push_back(items * r / size);
+  }
+  return begins;
+}
 
 /// No others.
 class SingleRank : public Communicator

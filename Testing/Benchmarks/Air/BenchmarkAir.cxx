@@ -137,9 +137,10 @@ void PrintHeap(const HalfSeries& air, int count, double rate)
   }
   const std::vector<DriftContact> contacts = FindContacts(kept, paths, 0.5, SerialFor());
   SilentMonitor monitor;
+  SingleRank alone;
   const double begun = ProcessorSeconds();
   (void)SolveTogether(bodies, contacts, AirSampler(air), DriftWeights().Contact, Steps, SerialFor(),
-                      monitor, paths);
+                      alone, monitor, paths);
   std::printf("%d leaves in a heap, %zu contacts: %d steps together %.2f CPU-s\n", count,
               contacts.size(), Steps, ProcessorSeconds() - begun);
 }

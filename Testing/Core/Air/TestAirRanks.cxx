@@ -2,6 +2,7 @@
 // One air for many bodies by several ranks: the bytes of one.
 #include "Air/Run/AirAssimilation.h"
 #include "Air/Run/EachBody.h"
+#include "Air/Run/TouchingBodies.h"
 #include "Base/Primitives.h"
 #include "Base/ThreadRanks.h"
 #include "Rotation/BodyTurner.h"
@@ -60,37 +61,45 @@ struct Flown
   AssimilationOutput Output;
   Result Outcome = Result::Ok();
   int Jobs = 0; // that another rank has heard of
+  int Together = 0;
 };
 
 Flown FlownBy(int size, Monitor& monitor)
 {
   Flown flown;
-  std::atomic<int> jobs{ 0 };
-  const auto serve = [&](ReadingStream& inputs, SharedItems& items)
-  {
-    ++jobs;
-    return ServeBodies(inputs, items, 2, ThreadedFor(2));
-  };
+  std::atomic<int> jobs{ 0 }, together{ 0 };
   const auto turn = [&](ReadingStream& inputs, SharedItems& items)
   {
     ++jobs;
     return ServeTurning(inputs, items, 2, ThreadedFor(2));
   };
-  EXPECT_TRUE(RunRanks(size,
-                       [&](Communicator& ranks)
-                       {
-                         if (!ranks.IsFirst())
-                         {
-                           Serve(ranks, { { BodiesKind, serve }, { TurningKind, turn } });
-                           return;
-                         }
-                         AssimilationInput input = Crowd();
-                         input.Ranks = &ranks;
-                         flown.Outcome =
-                           AssimilateAir(input, Small(), {}, ThreadedFor(2), monitor, flown.Output);
-                         Release(ranks);
-                       }));
+  EXPECT_TRUE(RunRanks(
+    size,
+    [&](Communicator& ranks)
+    {
+      AirElsewhere elsewhere;
+      const auto serve = [&](ReadingStream& inputs, SharedItems& items)
+      {
+        ++jobs;
+        return ServeBodies(inputs, items, 2, ThreadedFor(2), elsewhere);
+      };
+      const auto part = [&](ReadingStream& inputs, SharedItems&)
+      {
+        ++together;
+        return ServeTouching(inputs, ranks, ThreadedFor(2), elsewhere);
+      };
+      if (!ranks.IsFirst())
+      {
+        Serve(ranks, { { BodiesKind, serve }, { TouchingKind, part }, { TurningKind, turn } });
+        return;
+      }
+      AssimilationInput input = Crowd();
+      input.Ranks = &ranks;
+      flown.Outcome = AssimilateAir(input, Small(), {}, ThreadedFor(2), monitor, flown.Output);
+      Release(ranks);
+    }));
   flown.Jobs = size > 1 ? jobs / (size - 1) : 0;
+  flown.Together = size > 1 ? together / (size - 1) : 0;
   return flown;
 }
 
@@ -112,6 +121,7 @@ TEST(AirRanks, GiveTheBytesOfOne)
     const Flown other = FlownBy(size, silent);
     ASSERT_TRUE(other.Outcome) << other.Outcome.Message();
     EXPECT_GE(other.Jobs, 5); // searches, drifts, turnings and landings
+    EXPECT_GE(other.Together, 2);
     EXPECT_EQ(DigestOf(one.Output.Tracks), DigestOf(other.Output.Tracks)) << size;
     EXPECT_EQ(DigestOf(one.Output.Controls), DigestOf(other.Output.Controls)) << size;
     EXPECT_EQ(DigestOf(one.Output.Constraints), DigestOf(other.Output.Constraints)) << size;

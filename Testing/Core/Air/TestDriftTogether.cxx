@@ -4,6 +4,7 @@
 #include "Air/Drift/FourDrifts.h"
 #include "Air/PlainDrift.h"
 #include "Base/Random.h"
+#include "Base/ThreadRanks.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,8 @@ struct Crowd
   KeptDistances Kept{ 30.0 };
   std::vector<std::vector<Vec3>> Paths;
 
-  explicit Crowd(bool lastStays = false) : Bodies(Count)
+  explicit Crowd(bool lastStays = false, int count = Count) :
+    Bodies(static_cast<std::size_t>(count))
   {
     FieldSeries air;
     air.Meaning = FieldMeaning::Velocity;
@@ -48,7 +50,7 @@ struct Crowd
       }
     }
     this->Air = HalfSeries(air);
-    for (int o = 0; o < Count; ++o)
+    for (int o = 0; o < count; ++o)
     {
       DriftProblem problem;
       problem.Time = { Frames, 30.0 };
@@ -67,7 +69,7 @@ struct Crowd
         const double s = f / double(Mark);
         this->Paths.back().push_back((1.0 - s) * problem.Fixed[0] + s * problem.Fixed[Mark]);
       }
-      if (!lastStays || o + 1 < Count)
+      if (!lastStays || o + 1 < count)
       {
         this->Bodies[std::size_t(o)].Problem = std::make_unique<DriftProblem>(problem);
       }
@@ -102,9 +104,16 @@ struct Crowd
 
   void Solve(const std::vector<DriftContact>& contacts, const ParallelFor& parallel = SerialFor())
   {
+    SingleRank alone;
+    this->Solve(contacts, parallel, alone);
+  }
+
+  void Solve(const std::vector<DriftContact>& contacts, const ParallelFor& parallel,
+             Communicator& ranks)
+  {
     SilentMonitor monitor;
     EXPECT_TRUE(SolveTogether(this->Bodies, contacts, AirSampler(this->Air), DriftWeights().Contact,
-                              100, parallel, monitor, this->Paths));
+                              100, parallel, ranks, monitor, this->Paths));
   }
 };
 
@@ -259,4 +268,24 @@ TEST(DriftTogether, IsTheSameOnAnyNumberOfThreads)
   const ParallelFor threads = ThreadedFor(2);
   two.Solve(two.Contacts(threads), threads);
   EXPECT_EQ(one.Paths, two.Paths);
+}
+
+TEST(DriftTogether, IsTheSameOnAnyNumberOfRanks)
+{
+  constexpr int many = 22; // the last ones alone in their four, one of them may not move
+  Crowd one(true, many);
+  const std::vector<DriftContact> contacts = one.Contacts();
+  const std::vector<std::vector<Vec3>> begun = one.Paths;
+  one.Solve(contacts);
+  EXPECT_NE(begun, one.Paths);
+  for (const int size : { 2, 3, 8 }) // of eight ranks two have nobody
+  {
+    EXPECT_TRUE(RunRanks(size,
+                         [&](Communicator& ranks)
+                         {
+                           Crowd other(true, many);
+                           other.Solve(contacts, ThreadedFor(2), ranks);
+                           EXPECT_EQ(one.Paths, other.Paths) << ranks.Rank() << " of " << size;
+                         }));
+  }
 }

@@ -59,6 +59,8 @@ public:
   /// It lies from a frame to the end on the surface straight below a place, though no row asks it
   /// to.
   void LandFreely(int frame, const Vec3& place);
+  /// The same by the row that another one has of it.
+  void LandFreely(const Constraint& landing);
   /// That as a row of no scene: Row and Target are -1. Null: it does not.
   const Constraint* FreeLanding() const;
 

@@ -110,6 +110,13 @@ void BodyProblem::LandFreely(int frame, const Vec3& place)
   rest.Until = this->NumberOfFrames() - 1;
   rest.Value = place + Vec3(0.0, 0.0, this->Body.ClearanceRadius);
   rest.Row = rest.Target = OfNoRow;
+  this->LandFreely(rest);
+}
+
+void BodyProblem::LandFreely(const Constraint& landing)
+{
+  Constraint rest = landing;
+  rest.TouchDown = rest.Frame;
   const std::vector<LandingWindow> windows = LandingWindows(
     this->Body, { rest }, this->World.Obstacles, this->World.Scene.Time.FramesPerSecond);
   if (windows.empty())
@@ -118,7 +125,7 @@ void BodyProblem::LandFreely(int frame, const Vec3& place)
   }
   this->Wanted.push_back(rest);
   this->Landings.push_back(windows.front());
-  this->Latest.push_back(frame);
+  this->Latest.push_back(rest.Frame);
   this->Leaving.push_back(rest.Until);
   this->FixFrames();
 }

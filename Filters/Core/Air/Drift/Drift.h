@@ -28,6 +28,16 @@ struct DriftWeights
   double Contact = 200.0;
   /// Of missed balls, velocities and accelerations, summed over rows.
   double Row = 1e4;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Smoothness...);
+    visit(of.Braking...);
+    visit(of.Barrier...);
+    visit(of.Contact...);
+    visit(of.Row...);
+  }
 };
 
 /// |sum of Weight x(Frame) - Value| <= Radius, per axis alike: a ball, a velocity or an

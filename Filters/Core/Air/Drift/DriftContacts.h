@@ -19,6 +19,15 @@ struct DriftContact
   int Frame = 0;
   std::uint32_t A = 0, B = 0; // there are millions in a heap
   double Kept = 0.0;          // how far apart they keep there [m]
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Frame...);
+    visit(of.A...);
+    visit(of.B...);
+    visit(of.Kept...);
+  }
 };
 
 /// Thin bodies of known poses are as wide as they reach along the line between them: each is an

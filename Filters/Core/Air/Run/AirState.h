@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -86,6 +87,7 @@ struct AirContext
   DriftScene Around; // of all bodies
   DriftSearch Search;
   AssimilationKey Key;
+  mutable std::uint64_t AirElsewhere = 0; // which air the other ranks have; 0: none
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 

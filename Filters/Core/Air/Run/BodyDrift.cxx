@@ -4,13 +4,12 @@
 #include "Air/Drift/DriftTogether.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/EachBody.h"
+#include "Air/Run/TouchingBodies.h"
 #include "Base/ShapeMeasures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
-#include <utility>
 
 namespace waft
 {
@@ -66,22 +65,6 @@ PosedExtents ExtentsOf(const AirContext& run, const AirBodies& bodies)
   return extents;
 }
 
-// Those that may move, among the others.
-std::vector<TogetherBody> Together(const AirSampler& air, const DriftWeights& weights,
-                                   const std::vector<char>& which, const AirBodies& bodies)
-{
-  std::vector<TogetherBody> together(bodies.Size());
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
-  {
-    together[o].Weights = weights;
-    if (which[o] && !bodies.IsKept(o))
-    {
-      together[o].Problem = std::make_unique<DriftProblem>(bodies.Problems[o].In(air));
-    }
-  }
-  return together;
-}
-
 } // namespace
 
 Result SeekPaths(const AirContext& run, const HalfSeries& series, const std::vector<char>& which,
@@ -114,7 +97,6 @@ Result DriftOn(const AirContext& run, const HalfSeries& series, int iterations, 
                Monitor& monitor)
 {
   PartMonitor part(monitor, 0.0, 1.0);
-  const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
   const PosedExtents extents = ExtentsOf(run, bodies);
   const auto contacts = [&]
@@ -129,9 +111,11 @@ Result DriftOn(const AirContext& run, const HalfSeries& series, int iterations, 
   {
     const std::vector<DriftContact> near = contacts();
     AddTouching(near, bodies.Paths, touches);
-    const DriftWeights& weights = run.Search.Weights;
-    goesOn = SolveTogether(Together(air, weights, touches, bodies), near, air, weights.Contact,
-                           iterations, run.Parallel, part, bodies.Paths);
+    TouchingTask task;
+    task.Which = touches;
+    task.Weights = run.Search.Weights;
+    task.Iterations = iterations;
+    goesOn = SolveTouching(run, series, task, near, bodies, part);
   }
   run.Publish(bodies);
   return !result || goesOn ? result : Result::Stopped();
@@ -153,12 +137,13 @@ Result LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies
 void KeepApart(const AirContext& run, const HalfSeries& series, AirBodies& bodies)
 {
   PartMonitor monitor(run.Caller, 1.0, 1.0, "Keeping the objects apart");
-  const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
   const PosedExtents extents = ExtentsOf(run, bodies);
-  DriftWeights weights = run.Search.Weights;
-  weights.Smoothness *= EvenControl;
-  std::vector<char> touches(bodies.Size(), 0);
+  TouchingTask task;
+  task.Weights = run.Search.Weights;
+  task.Weights.Smoothness *= EvenControl;
+  task.Iterations = ContactIterations;
+  task.Which.assign(bodies.Size(), 0);
   for (int pass = 0; pass < ContactPasses; ++pass)
   {
     const std::vector<DriftContact> contacts =
@@ -169,71 +154,62 @@ void KeepApart(const AirContext& run, const HalfSeries& series, AirBodies& bodie
     {
       return;
     }
-    std::transform(now.begin(), now.end(), touches.begin(), touches.begin(),
+    std::transform(now.begin(), now.end(), task.Which.begin(), task.Which.begin(),
                    std::logical_or<char>());
-    if (!SolveTogether(Together(air, weights, touches, bodies), contacts, air, weights.Contact,
-                       ContactIterations, run.Parallel, monitor, bodies.Paths))
+    if (!SolveTouching(run, series, task, contacts, bodies, monitor))
     {
       return;
     }
     run.Publish(bodies);
-    weights.Contact *= std::pow(FirmContact, 1.0 / (ContactPasses - 1));
+    task.Weights.Contact *= std::pow(FirmContact, 1.0 / (ContactPasses - 1));
   }
 }
 
 std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, AirBodies& bodies)
 {
-  const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
   const PosedExtents extents = ExtentsOf(run, bodies);
   PartMonitor monitor(run.Caller, 1.0, 1.0, "Bringing the objects to their marks exactly");
-  DriftWeights weights = run.Search.Weights;
-  weights.Contact *= FirmContact;
-  weights.Smoothness *= EvenControl;
-  std::vector<double> barriers(bodies.Size(), weights.Barrier);
-  const auto drift = [&](const std::vector<TogetherBody>& together)
+  TouchingTask task;
+  task.Weights = run.Search.Weights;
+  task.Weights.Contact *= FirmContact;
+  task.Weights.Smoothness *= EvenControl;
+  task.Barriers.assign(bodies.Size(), task.Weights.Barrier);
+  task.Iterations = DriftIterations;
+  const auto drift = [&]
   {
-    (void)SolveTogether(together,
-                        FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel, extents), air,
-                        weights.Contact, DriftIterations, run.Parallel, monitor, bodies.Paths);
+    (void)SolveTouching(run, series, task,
+                        FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel, extents),
+                        bodies, monitor);
   };
   // What keeps too near to something is pushed harder first; only what that does not help is moved
   // out of the way without a look at the air.
-  std::vector<char> clear(bodies.Size(), 1);
   for (int k = 0; k < HarderPushes; ++k)
   {
-    std::vector<char> blocked(bodies.Size(), 0);
+    task.Which.assign(bodies.Size(), 0);
     run.Parallel(bodies.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
                    for (std::size_t o = begin; o < end; ++o)
                    {
-                     blocked[o] =
+                     task.Which[o] =
                        !bodies.IsKept(o) && !bodies.Problems[o].IsClear(bodies.Paths[o]) ? 1 : 0;
                    }
                  });
-    if (std::find(blocked.begin(), blocked.end(), 1) == blocked.end())
+    if (std::find(task.Which.begin(), task.Which.end(), 1) == task.Which.end())
     {
       break;
     }
-    std::vector<TogetherBody> together = Together(air, weights, blocked, bodies);
     for (std::size_t o = 0; o < bodies.Size(); ++o)
     {
-      barriers[o] *= blocked[o] ? 10.0 : 1.0;
-      together[o].Weights.Barrier = barriers[o];
+      task.Barriers[o] *= task.Which[o] ? 10.0 : 1.0;
     }
-    drift(together);
+    drift();
   }
-  std::vector<TogetherBody> held = Together(air, weights, clear, bodies);
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
-  {
-    held[o].Weights.Barrier = barriers[o];
-    if (held[o].Problem && !bodies.Problems[o].HoldToBalls(bodies.Paths[o], *held[o].Problem))
-    {
-      held[o].Problem.reset();
-    }
-  }
-  drift(held);
+  std::vector<char> clear(bodies.Size(), 1);
+  task.Which = clear;
+  task.HoldsToBalls = true;
+  drift();
   run.Parallel(bodies.Size(),
                [&](std::size_t begin, std::size_t end)
                {

@@ -2,6 +2,7 @@
 // What bodies do each by itself, divided over threads and ranks.
 #pragma once
 
+#include "Air/Run/AirElsewhere.h"
 #include "Air/Run/AirState.h"
 #include "Base/SharedWork.h"
 
@@ -25,6 +26,6 @@ Result EachBody(const AirContext& run, const HalfSeries& series, BodyTask task, 
 inline constexpr const char* BodiesKind = "bodies";
 /// Does so for rank 0. atOnce: threads of parallel.
 Result ServeBodies(ReadingStream& inputs, SharedItems& items, int atOnce,
-                   const ParallelFor& parallel);
+                   const ParallelFor& parallel, AirElsewhere& elsewhere);
 
 } // namespace waft

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/AirElsewhere.h"
+
+#include "Air/Run/AirSetup.h"
+#include "Base/Digest.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+/// Of an air's values and times; never 0.
+std::uint64_t SumOf(const HalfSeries& air, const ParallelFor& parallel)
+{
+  std::vector<std::uint64_t> sums(air.Values.size());
+  parallel(sums.size(),
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t k = begin; k < end; ++k)
+             {
+               Digest digest;
+               digest.Add(air.Values[k].data(), sizeof(Half3) * air.Values[k].size());
+               sums[k] = digest.Sum();
+             }
+           });
+  Digest digest;
+  digest.Add(sums.data(), sizeof(std::uint64_t) * sums.size());
+  digest.Add(air.Times.data(), sizeof(double) * air.Times.size());
+  return std::max<std::uint64_t>(digest.Sum(), 1);
+}
+
+/// All that bodies do depends on, but the air.
+struct ToldRun
+{
+  MotionProblem Problem; // of the Tracks their places alone
+  AssimilationOptions Options;
+  bool HasSolids = false;
+  std::vector<char> IsOld;
+  std::vector<BodyState> Bodies;
+};
+
+template <class Told>
+void MoveRun(StateArchive& stream, Told& told)
+{
+  stream.Values(told.Problem, told.HasSolids, told.IsOld, told.Bodies);
+  AssimilationOptions::VisitAir(stream, told.Options);
+}
+
+AssimilationInput InputOf(MotionProblem problem)
+{
+  AssimilationInput input;
+  static_cast<MotionProblem&>(input) = std::move(problem);
+  return input;
+}
+
+} // namespace
+
+BodyState StateOf(const BodyProblem& body, const std::vector<Vec3>& path)
+{
+  BodyState state;
+  state.Path = path;
+  for (std::size_t l = 0; l < body.NumberOfLandings(); ++l)
+  {
+    state.TouchDowns.push_back(body.TouchDown(l));
+    state.LiftOffs.push_back(body.LiftOff(l));
+  }
+  if (const Constraint* landing = body.FreeLanding())
+  {
+    state.LandedFreely.push_back(*landing);
+  }
+  return state;
+}
+
+void SetState(BodyState& state, BodyProblem& body, std::vector<Vec3>& path)
+{
+  if (!state.LandedFreely.empty() && body.FreeLanding() == nullptr)
+  {
+    body.LandFreely(state.LandedFreely.front());
+  }
+  for (std::size_t l = 0; l < state.TouchDowns.size(); ++l)
+  {
+    body.SetTouchDown(l, state.TouchDowns[l]);
+    body.SetLiftOff(l, state.LiftOffs[l]);
+  }
+  path = std::move(state.Path);
+}
+
+void TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodies,
+             StateArchive& stream)
+{
+  ToldRun told;
+  told.Problem.Scene = run.Input.Scene;
+  told.Problem.Objects = run.Input.Objects;
+  told.Problem.Constraints = run.Input.Constraints;
+  told.Problem.Obstacles = run.Input.Obstacles;
+  for (const Track& track : run.Input.Tracks)
+  {
+    told.Problem.Tracks.emplace_back();
+    told.Problem.Tracks.back().ObjectId = track.ObjectId;
+    told.Problem.Tracks.back().Positions = track.Positions;
+  }
+  told.Options = run.Options;
+  told.HasSolids = run.Search.HasSolids;
+  told.IsOld = bodies.IsOld;
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    told.Bodies.push_back(StateOf(bodies.Problems[o], bodies.Paths[o]));
+    if (!bodies.Poses.empty())
+    {
+      told.Bodies.back().Slips = bodies.Poses[o].Slips;
+    }
+  }
+  const ToldRun& all = told;
+  MoveRun(stream, all);
+  const std::uint64_t sum = SumOf(air, run.Parallel);
+  const bool isNew = run.AirElsewhere != sum;
+  run.AirElsewhere = sum;
+  stream.Values(isNew, sum);
+  if (isNew)
+  {
+    HalfSeries::VisitLattice(stream, air);
+    stream.Values(air.Values);
+  }
+}
+
+struct AirElsewhere::Heard
+{
+  Heard(ToldRun told, const ParallelFor& parallel) :
+    Input(InputOf(std::move(told.Problem))), Options(told.Options), Parallel(parallel),
+    Run(this->Input, this->Options, this->None, this->Parallel, this->Silent)
+  {
+    this->Run.Search.HasSolids = told.HasSolids;
+  }
+
+  AssimilationInput Input;
+  AssimilationOptions Options;
+  SolidsOn None;
+  ParallelFor Parallel;
+  SilentMonitor Silent;
+  AirContext Run;
+  AirBodies Bodies;
+};
+
+AirElsewhere::AirElsewhere() = default;
+AirElsewhere::~AirElsewhere() = default;
+
+Result AirElsewhere::Hear(StateArchive& stream, const ParallelFor& parallel)
+{
+  ToldRun told;
+  MoveRun(stream, told);
+  bool isNew = false;
+  std::uint64_t sum = 0;
+  stream.Values(isNew, sum);
+  if (isNew)
+  {
+    this->Sum = sum;
+    HalfSeries::VisitLattice(stream, this->Series);
+    stream.Values(this->Series.Values);
+  }
+  if (this->Sum != sum)
+  {
+    return Result::Error("a process has another air than the first one");
+  }
+  std::vector<BodyState> states = std::move(told.Bodies);
+  std::vector<char> isOld = std::move(told.IsOld);
+  this->Now = std::make_unique<Heard>(std::move(told), parallel);
+  Heard& now = *this->Now;
+  WAFT_RETURN_IF_FAILED(now.Run.Obstacles.Build(now.Input.Obstacles));
+  AssimilationOutput judged;
+  WAFT_RETURN_IF_FAILED(SetUpBodies(now.Run, now.Bodies, judged));
+  now.Bodies.IsOld = std::move(isOld);
+  for (std::size_t o = 0; o < now.Bodies.Size(); ++o)
+  {
+    SetState(states[o], now.Bodies.Problems[o], now.Bodies.Paths[o]);
+    if (!states[o].Slips.empty())
+    {
+      now.Bodies.Problems[o].SetSlips(states[o].Slips);
+    }
+  }
+  return Result::Ok();
+}
+
+const AirContext& AirElsewhere::Run() const
+{
+  return this->Now->Run;
+}
+
+AirBodies& AirElsewhere::Bodies()
+{
+  return this->Now->Bodies;
+}
+
+void AirElsewhere::Forget()
+{
+  this->Now.reset();
+}
+
+} // namespace waft
