@@ -32,9 +32,10 @@ AssimilationInput Crowd()
   {
     MotionObject object;
     object.ObjectId = 3 * o;
-    object.Position = Vec3(-1.8 + 0.27 * (o % 14), -1.8 + 0.25 * (o / 14), 0.4 + 0.1 * (o % 3));
+    object.Position = Vec3(-0.4 + 0.06 * (o % 14), -0.4 + 0.06 * (o / 14), 0.4 + 0.05 * (o % 3));
     object.SettlingSpeed = 0.5;
     object.RestHeight = 0.01;
+    object.ClearanceRadius = 0.05; // wider than the next one is away: they touch
     Constraint row;
     row.ObjectId = object.ObjectId;
     row.Row = o;

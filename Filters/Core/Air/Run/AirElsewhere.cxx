@@ -62,14 +62,15 @@ BodyState StateOf(const BodyProblem& body, const std::vector<Vec3>& path)
 {
   BodyState state;
   state.Path = path;
-  for (std::size_t l = 0; l < body.NumberOfLandings(); ++l)
+  const Constraint* free = body.FreeLanding(); // the last one
+  for (std::size_t l = 0; l + (free != nullptr ? 1 : 0) < body.NumberOfLandings(); ++l)
   {
     state.TouchDowns.push_back(body.TouchDown(l));
     state.LiftOffs.push_back(body.LiftOff(l));
   }
-  if (const Constraint* landing = body.FreeLanding())
+  if (free != nullptr)
   {
-    state.LandedFreely.push_back(*landing);
+    state.LandedFreely.push_back(*free);
   }
   return state;
 }
@@ -116,8 +117,8 @@ void TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodi
   const ToldRun& all = told;
   MoveRun(stream, all);
   const std::uint64_t sum = SumOf(air, run.Parallel);
-  const bool isNew = run.AirElsewhere != sum;
-  run.AirElsewhere = sum;
+  const bool isNew = run.AirSent != sum;
+  run.AirSent = sum;
   stream.Values(isNew, sum);
   if (isNew)
   {

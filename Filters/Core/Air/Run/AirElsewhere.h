@@ -16,7 +16,7 @@ namespace waft
 struct BodyState
 {
   std::vector<Vec3> Path;
-  std::vector<int> TouchDowns, LiftOffs; // one a landing
+  std::vector<int> TouchDowns, LiftOffs; // one a landing that a row asks for
   std::vector<Constraint> LandedFreely;  // one, or none
   std::vector<Vec3> Slips;               // of its poses; or empty
 

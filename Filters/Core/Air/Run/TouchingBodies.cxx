@@ -12,7 +12,7 @@ namespace
 {
 
 // Fewer give way sooner than the others have heard of them.
-constexpr std::ptrdiff_t FewestToShare = 64;
+constexpr std::ptrdiff_t FewestToDivide = 64;
 
 // Those that may move, among the others.
 std::vector<TogetherBody> Together(const AirSampler& air, const TouchingTask& task,
@@ -54,7 +54,7 @@ bool SolveTouching(const AirContext& run, const HalfSeries& air, const TouchingT
   SingleRank alone;
   Communicator* ranks = run.Input.Ranks;
   if (ranks == nullptr || ranks->Size() == 1 ||
-      std::count(task.Which.begin(), task.Which.end(), 1) < FewestToShare)
+      std::count(task.Which.begin(), task.Which.end(), 1) < FewestToDivide)
   {
     return SolveHere(run, air, task, contacts, alone, bodies, monitor);
   }
