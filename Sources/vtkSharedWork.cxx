@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSharedWork.h"
 
+#include "Air/Run/AirCorrection.h"
 #include "Air/Run/AirElsewhere.h"
 #include "Air/Run/EachBody.h"
 #include "Air/Run/TouchingBodies.h"
@@ -29,10 +30,13 @@ void vtkSharedWork::Serve(vtkMultiProcessController* controller)
   { return waft::ServeTouching(inputs, ranks, parallelFor, elsewhere); };
   const auto turn = [&](waft::ReadingStream& inputs, waft::SharedItems& items)
   { return waft::ServeTurning(inputs, items, waft::ItemsAtOnce(), parallelFor); };
+  const auto fit = [&](waft::ReadingStream& inputs, waft::SharedItems&)
+  { return waft::ServeWind(inputs, ranks, parallelFor); };
   waft::Serve(ranks, { { waft::SimulationKind, simulate },
                        { waft::PlanKind, plan },
                        { waft::BodiesKind, drift },
                        { waft::TouchingKind, part },
+                       { waft::WindKind, fit },
                        { waft::TurningKind, turn } });
 }
 

@@ -164,9 +164,14 @@ void ServeLoop(SharedItems& items, int most, const ParallelFor& parallel,
               },
               GlanceBack);
     stop = stop || items.IsOver();
+    std::vector<ItemResult> given;
     for (std::size_t k = 0; k < some.size() && !stop; ++k)
     {
-      items.Give(some[k], std::move(results[k].Content));
+      given.push_back({ some[k], std::move(results[k].Content) });
+    }
+    if (!given.empty())
+    {
+      items.Give(given);
     }
   }
 }

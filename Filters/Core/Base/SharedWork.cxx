@@ -99,9 +99,15 @@ Result WorkSharing::Look(const std::function<std::vector<std::int64_t>(std::int6
       {
         return Result::Error(std::string(content.begin(), content.end()));
       }
-      --this->NumberAway;
-      ReadingStream result(std::move(content));
-      WAFT_RETURN_IF_FAILED(take(message.Item, result));
+      ReadingStream results(std::move(content));
+      for (std::int64_t k = 0; k < message.Item; ++k)
+      {
+        ItemResult one;
+        results.Values(one);
+        --this->NumberAway;
+        ReadingStream result(std::move(one.Content));
+        WAFT_RETURN_IF_FAILED(take(one.Item, result));
+      }
     }
     const std::vector<std::int64_t> items = wanted > 0 ? next(wanted) : std::vector<std::int64_t>();
     for (std::size_t k = 0; k < items.size(); ++k)
@@ -169,7 +175,7 @@ void SharedItems::AnnounceNext()
   if (!this->Results.empty())
   {
     const Outcome& next = this->Results.front();
-    Say(this->Ranks, 0, next.Says, next.Item, next.Content.size());
+    Say(this->Ranks, 0, next.Says, next.Number, next.Content.size());
   }
 }
 
@@ -185,9 +191,14 @@ void SharedItems::Announce(Outcome outcome)
   }
 }
 
-void SharedItems::Give(std::int64_t item, std::vector<char> result)
+void SharedItems::Give(const std::vector<ItemResult>& results)
 {
-  this->Announce({ Word::Has, item, std::move(result) });
+  MemoryStream all;
+  for (const ItemResult& one : results)
+  {
+    all.Values(one);
+  }
+  this->Announce({ Word::Has, static_cast<std::int64_t>(results.size()), std::move(all.Content) });
 }
 
 void SharedItems::Fail(const std::string& sentence)

@@ -30,7 +30,7 @@ struct WorkMessage
     Free,   // no more jobs
             // of the others:
     Wants,  // items, so many at most
-    Has,    // Size bytes of a result, which are sent when they are asked for
+    Has,    // Item results in Size bytes, which are sent when they are asked for
     Failed, // Size bytes of a sentence, likewise
     Left    // the job, since it is over
   };
@@ -64,6 +64,20 @@ private:
   int NumberAway = 0;
 };
 
+/// What came of an item.
+struct ItemResult
+{
+  std::int64_t Item = 0;
+  std::vector<char> Content;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Item...);
+    visit(of.Content...);
+  }
+};
+
 /// A job as another rank has it.
 class SharedItems
 {
@@ -73,8 +87,8 @@ public:
   /// The next items, so many at most. None when none have come yet; they are waited for when there
   /// is nothing else to do. None come once the job is over.
   std::vector<std::int64_t> Take(std::int64_t most, bool waits);
-  /// What came of an item, or why nothing did.
-  void Give(std::int64_t item, std::vector<char> result);
+  /// What came of some, or why nothing did. All at once, since rank 0 looks only now and then.
+  void Give(const std::vector<ItemResult>& results);
   void Fail(const std::string& sentence);
   bool IsOver();
   /// Until it is.
@@ -84,7 +98,7 @@ private:
   struct Outcome
   {
     WorkMessage::Word Says;
-    std::int64_t Item;
+    std::int64_t Number; // of results
     std::vector<char> Content;
   };
   void Announce(Outcome outcome);

@@ -149,7 +149,7 @@ Result ServeSimulations(ReadingStream& inputs, SharedItems& items, int atOnce,
     {
       MemoryStream result;
       MoveTraced(result, traced);
-      items.Give(whole, std::move(result.Content));
+      items.Give({ { whole, std::move(result.Content) } });
     }
   }
   return Result::Ok();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One air for many bodies by several ranks: the bytes of one.
 #include "Air/Run/AirAssimilation.h"
+#include "Air/Run/AirCorrection.h"
 #include "Air/Run/EachBody.h"
 #include "Air/Run/TouchingBodies.h"
 #include "Base/Primitives.h"
@@ -74,31 +75,39 @@ Flown FlownBy(int size, Monitor& monitor)
     ++jobs;
     return ServeTurning(inputs, items, 2, ThreadedFor(2));
   };
-  EXPECT_TRUE(RunRanks(
-    size,
-    [&](Communicator& ranks)
-    {
-      AirElsewhere elsewhere;
-      const auto serve = [&](ReadingStream& inputs, SharedItems& items)
-      {
-        ++jobs;
-        return ServeBodies(inputs, items, 2, ThreadedFor(2), elsewhere);
-      };
-      const auto part = [&](ReadingStream& inputs, SharedItems&)
-      {
-        ++together;
-        return ServeTouching(inputs, ranks, ThreadedFor(2), elsewhere);
-      };
-      if (!ranks.IsFirst())
-      {
-        Serve(ranks, { { BodiesKind, serve }, { TouchingKind, part }, { TurningKind, turn } });
-        return;
-      }
-      AssimilationInput input = Crowd();
-      input.Ranks = &ranks;
-      flown.Outcome = AssimilateAir(input, Small(), {}, ThreadedFor(2), monitor, flown.Output);
-      Release(ranks);
-    }));
+  EXPECT_TRUE(RunRanks(size,
+                       [&](Communicator& ranks)
+                       {
+                         AirElsewhere elsewhere;
+                         const auto serve = [&](ReadingStream& inputs, SharedItems& items)
+                         {
+                           ++jobs;
+                           return ServeBodies(inputs, items, 2, ThreadedFor(2), elsewhere);
+                         };
+                         const auto part = [&](ReadingStream& inputs, SharedItems&)
+                         {
+                           ++together;
+                           return ServeTouching(inputs, ranks, ThreadedFor(2), elsewhere);
+                         };
+                         const auto fit = [&](ReadingStream& inputs, SharedItems&)
+                         {
+                           ++together;
+                           return ServeWind(inputs, ranks, ThreadedFor(2));
+                         };
+                         if (!ranks.IsFirst())
+                         {
+                           Serve(ranks, { { BodiesKind, serve },
+                                          { TouchingKind, part },
+                                          { WindKind, fit },
+                                          { TurningKind, turn } });
+                           return;
+                         }
+                         AssimilationInput input = Crowd();
+                         input.Ranks = &ranks;
+                         flown.Outcome =
+                           AssimilateAir(input, Small(), {}, ThreadedFor(2), monitor, flown.Output);
+                         Release(ranks);
+                       }));
   flown.Jobs = size > 1 ? jobs / (size - 1) : 0;
   flown.Together = size > 1 ? together / (size - 1) : 0;
   return flown;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/WindCorrection.h"
 #include "Base/Random.h"
+#include "Base/ThreadRanks.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ Vec3 Gyre(const Vec3& x, double t)
            -a * std::sin(k * x.x()) * std::cos(k * x.y()), 0.0 };
 }
 
-WindCorrection Fitted(const ParallelFor& parallel)
+WindCorrection Fitted(const ParallelFor& parallel, Communicator& ranks)
 {
   WindCorrectionOptions options;
   options.Iterations = 300;
@@ -43,8 +44,14 @@ WindCorrection Fitted(const ParallelFor& parallel)
     samples.push_back(at);
   }
   SilentMonitor monitor;
-  EXPECT_TRUE(wind.Fit(samples, parallel, monitor));
+  EXPECT_TRUE(wind.Fit(samples, parallel, ranks, monitor));
   return wind;
+}
+
+WindCorrection Fitted(const ParallelFor& parallel)
+{
+  SingleRank alone;
+  return Fitted(parallel, alone);
 }
 
 TEST(WindCorrection, FindsTheFlowThatItsSamplesAreOf)
@@ -115,3 +122,13 @@ TEST(WindCorrection, IsTheSameOnAnyNumberOfThreads)
 }
 
 } // namespace
+
+TEST(WindCorrection, IsTheSameOnAnyNumberOfRanks)
+{
+  WindCorrection alone = Fitted(SerialFor());
+  for (const int size : { 2, 3 })
+  {
+    EXPECT_TRUE(RunRanks(size, [&](Communicator& ranks)
+                         { EXPECT_EQ(Fitted(SerialFor(), ranks).Values(), alone.Values()); }));
+  }
+}

@@ -23,6 +23,7 @@ Result Squares(ReadingStream& inputs, SharedItems& items)
   for (auto some = items.Take(most, true); !some.empty(); some = items.Take(most, true))
   {
     EXPECT_LE(static_cast<std::int64_t>(some.size()), most);
+    std::vector<ItemResult> results;
     for (const std::int64_t item : some)
     {
       if (offset < 0 && item == 2)
@@ -36,8 +37,9 @@ Result Squares(ReadingStream& inputs, SharedItems& items)
       MemoryStream result;
       std::vector<std::int64_t> squares(static_cast<std::size_t>(item) + 1, item * item + offset);
       result.Values(squares);
-      items.Give(item, std::move(result.Content));
+      results.push_back({ item, std::move(result.Content) });
     }
+    items.Give(results);
     most = 4 - most;
   }
   return Result::Ok();

@@ -2,6 +2,7 @@
 // A smooth wind that all bodies share: what their controls have in common.
 #pragma once
 
+#include "Base/Communicator.h"
 #include "Base/HalfSeries.h"
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
@@ -24,6 +25,17 @@ struct WindCorrectionOptions
   double Bending = 0.01;  // of their second differences in space
   double Changing = 0.03; // of their differences in time
   int Iterations = 40;    // of conjugate gradients
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Spacing...);
+    visit(of.TimeSpacing...);
+    visit(of.Ridge...);
+    visit(of.Bending...);
+    visit(of.Changing...);
+    visit(of.Iterations...);
+  }
 };
 
 /// What the wind is wanted to be, at one frame (half frames, too).
@@ -32,6 +44,14 @@ struct WindSamples
   double Frame = 0.0;
   std::vector<Vec3> Positions; // m
   std::vector<Vec3> Values;    // m/s
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Frame...);
+    visit(of.Positions...);
+    visit(of.Values...);
+  }
 };
 
 /// W = curl A [m/s] with A in cubic B-splines of space and time: solenoidal. The parts of A along a
@@ -41,15 +61,19 @@ class WindCorrection
 public:
   WindCorrection(const Box& volume, const Timeline& time, const WindCorrectionOptions& options);
 
-  /// Least squares over all samples; goes on from the wind as it is. The same on any number of
-  /// threads. False: stopped, the wind fits as well as it does by then.
-  bool Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel, Monitor& monitor);
+  /// Least squares over all samples; goes on from the wind as it is. Where all ranks call it with
+  /// the same each does a part of the frames, and the first one's monitor is asked. The same on any
+  /// number of threads and ranks. False: stopped, the wind fits as well as it does by then.
+  bool Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel,
+           Communicator& ranks, Monitor& monitor);
   Vec3 At(const Vec3& x, double frame) const;
   /// sum = air + W at the points of the lattice, of each field's frame; sum is on the same lattice
   /// and has as many fields. False: stopped, at some frames.
   bool AddTo(const HalfSeries& air, HalfSeries& sum, const ParallelFor& parallel,
              Monitor& monitor) const;
   std::size_t NumberOfCoefficients() const { return this->Coefficients.size(); }
+  /// The wind as it is, if another has the same volume, times and options.
+  std::vector<double>& Values() { return this->Coefficients; }
 
 private:
   // The four splines that are not zero at a point of an axis: plain, held back at the walls, and
@@ -74,7 +98,7 @@ private:
   Level LevelAt(double frame) const;
   Nodes At(const Level& level, const std::vector<double>& coefficients) const;
   Vec3 Curl(const Basis& basis, const double* nodes) const;
-  void AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes) const;
+  void AddCurl(const Basis& basis, const Vec3& value, double* nodes) const;
   /// What is penalised, applied: the gradient of half the penalty.
   void Penalise(const std::vector<double>& a, std::vector<double>& sum) const;
   std::size_t NodesPerKnot() const

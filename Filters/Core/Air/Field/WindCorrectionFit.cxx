@@ -2,6 +2,8 @@
 // The wind correction by least squares.
 #include "Air/Field/WindCorrection.h"
 
+#include <algorithm>
+
 namespace waft
 {
 namespace
@@ -21,7 +23,7 @@ double Dot(const std::vector<double>& a, const std::vector<double>& b)
 
 } // namespace
 
-void WindCorrection::AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes) const
+void WindCorrection::AddCurl(const Basis& basis, const Vec3& value, double* nodes) const
 {
   const Splines& x = basis.Along[0];
   const Splines& y = basis.Along[1];
@@ -30,10 +32,10 @@ void WindCorrection::AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes
   {
     for (int j = 0; j < 4; ++j)
     {
-      double* a = nodes.data() +
-                  3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
-                         this->Count[0] +
-                       x.First);
+      double* a =
+        nodes + 3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
+                       this->Count[0] +
+                     x.First);
       for (int i = 0; i < 4; ++i, a += 3)
       {
         a[0] += value[1] * x.Plain[i] * y.Held[j] * z.Slope[k] -
@@ -86,7 +88,7 @@ void WindCorrection::Penalise(const std::vector<double>& a, std::vector<double>&
 }
 
 bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel,
-                         Monitor& monitor)
+                         Communicator& ranks, Monitor& monitor)
 {
   if (samples.empty())
   {
@@ -120,17 +122,21 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const Parallel
                                            : last * this->Time.Step() /
                                                static_cast<double>(samples.size() - 1) / SampleTime;
   const std::size_t knot = 3 * this->NodesPerKnot();
-  std::vector<Nodes> parts(samples.size());
+  std::vector<double> parts(samples.size() * knot); // by frame
+  const std::vector<std::size_t> begins = BeginsOfRanks(samples.size(), ranks.Size());
+  const std::size_t first = begins[static_cast<std::size_t>(ranks.Rank())];
+  const std::size_t own = begins[static_cast<std::size_t>(ranks.Rank()) + 1] - first;
   // result = M^T weight (M a - values) + penalty a
   const auto apply = [&](const std::vector<double>& a, bool lessValues, std::vector<double>& result)
   {
-    parallel(samples.size(),
+    parallel(own,
              [&](std::size_t begin, std::size_t end)
              {
-               for (std::size_t f = begin; f < end; ++f)
+               for (std::size_t f = first + begin; f < first + end; ++f)
                {
                  const Nodes nodes = this->At(levels[f], a);
-                 parts[f].assign(knot, 0.0);
+                 double* part = parts.data() + f * knot;
+                 std::fill_n(part, knot, 0.0);
                  for (std::size_t s = 0; s < bases[f].size(); ++s)
                  {
                    Vec3 w = this->Curl(bases[f][s], nodes.data());
@@ -138,10 +144,11 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const Parallel
                    {
                      w -= samples[f].Values[s];
                    }
-                   this->AddCurl(bases[f][s], weight * w, parts[f]);
+                   this->AddCurl(bases[f][s], weight * w, part);
                  }
                }
              });
+    ranks.Gather(parts.data(), sizeof(double) * knot, begins);
     result.assign(a.size(), 0.0);
     for (std::size_t f = 0; f < samples.size(); ++f)
     {
@@ -150,7 +157,7 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const Parallel
         double* sum = result.data() + static_cast<std::size_t>(levels[f].First + m) * knot;
         for (std::size_t i = 0; i < knot; ++i)
         {
-          sum[i] += levels[f].Weight[m] * parts[f][i];
+          sum[i] += levels[f].Weight[m] * parts[f * knot + i];
         }
       }
     }
@@ -167,7 +174,10 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const Parallel
   const double enough = 1e-8 * size;
   for (int iteration = 0; iteration < this->Options.Iterations && size > enough; ++iteration)
   {
-    if (!monitor.Tick(static_cast<double>(iteration) / this->Options.Iterations, ""))
+    const double done = static_cast<double>(iteration) / this->Options.Iterations;
+    char goesOn = ranks.IsFirst() && monitor.Tick(done, "") ? 1 : 0;
+    ranks.Broadcast(&goesOn, sizeof(goesOn));
+    if (!goesOn)
     {
       return false;
     }

@@ -17,6 +17,7 @@ namespace waft
 namespace
 {
 
+constexpr std::size_t FewestToFitTogether = 128;      // bodies
 constexpr double SteeringRate = 6.0;                  // 1/s
 constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0.8 GB
 
@@ -61,8 +62,8 @@ std::vector<Lack> LacksOf(const BodyProblem& body, const std::vector<Vec3>& path
 }
 
 // The wind that would have made the controls needless: what it is at the bodies, and they.
-bool FitWind(const AirContext& run, const AirState& state, WindCorrection& correction,
-             Monitor& monitor)
+bool FitWind(const AirContext& run, const AirState& state, const WindCorrectionOptions& options,
+             WindCorrection& correction, Monitor& monitor)
 {
   const AirBodies& bodies = state.Bodies;
   const AirSampler air(state.Sampled.Velocity);
@@ -91,10 +92,33 @@ bool FitWind(const AirContext& run, const AirState& state, WindCorrection& corre
   {
     samples.push_back(std::move(at));
   }
-  return correction.Fit(samples, run.Parallel, monitor);
+  SingleRank alone;
+  Communicator* ranks = run.Input.Ranks;
+  if (ranks == nullptr || ranks->Size() == 1 || bodies.Size() < FewestToFitTogether)
+  {
+    return correction.Fit(samples, run.Parallel, alone, monitor);
+  }
+  MemoryStream job;
+  job.Values(run.Input.Scene, options, correction.Values(), samples);
+  const WorkSharing others(*ranks, WindKind, job);
+  return correction.Fit(samples, run.Parallel, *ranks, monitor);
 }
 
 } // namespace
+
+Result ServeWind(ReadingStream& inputs, Communicator& ranks, const ParallelFor& parallel)
+{
+  SceneInfo scene;
+  WindCorrectionOptions options;
+  std::vector<double> values;
+  std::vector<WindSamples> samples;
+  inputs.Values(scene, options, values, samples);
+  WindCorrection correction(scene.Bounds, scene.Time, options);
+  correction.Values() = values;
+  SilentMonitor silent; // the first rank's is asked
+  (void)correction.Fit(samples, parallel, ranks, silent);
+  return Result::Ok();
+}
 
 Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
                 AssimilationOutput& output)
@@ -126,7 +150,7 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
     }
     PartMonitor fitting(run.Caller, begin + k * step, begin + (k + 0.5) * step,
                         "Fitting the wind correction");
-    const bool isFitted = FitWind(run, state, correction, fitting);
+    const bool isFitted = FitWind(run, state, options, correction, fitting);
     if (!isFitted || !AddWind(run, plain, correction, state.Sampled.Velocity, fitting))
     {
       state.Sampled.Velocity = plain;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Air/Run/AirState.h"
+#include "Base/SharedWork.h"
 
 namespace waft
 {
@@ -11,6 +12,10 @@ namespace waft
 /// drift. plain: the air without.
 Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
                 AssimilationOutput& output);
+
+inline constexpr const char* WindKind = "wind";
+/// Fits the wind that the controls have in common with rank 0, which does so for FindWind.
+Result ServeWind(ReadingStream& inputs, Communicator& ranks, const ParallelFor& parallel);
 
 /// Towards the air with the wind correction, by what its motion asks for beside what drives it now;
 /// then the objects drift in it.

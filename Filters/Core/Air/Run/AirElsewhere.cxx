@@ -5,12 +5,44 @@
 #include "Base/Digest.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace waft
 {
 namespace
 {
+
+/// Of some bytes, as fast as they are read: four sums side by side.
+std::uint64_t QuickSum(const void* bytes, std::size_t size)
+{
+  constexpr std::size_t count = 4;
+  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15ull; // odd
+  std::uint64_t sums[count] = { 1, 2, 3, 4 };
+  const char* at = static_cast<const char*>(bytes);
+  const auto add = [&](std::size_t lane, const char* from, std::size_t length)
+  {
+    std::uint64_t word = 0;
+    std::memcpy(&word, from, length);
+    sums[lane] = (sums[lane] ^ word) * factor;
+    sums[lane] ^= sums[lane] >> 29;
+  };
+  std::size_t done = 0;
+  for (; done + count * sizeof(std::uint64_t) <= size; done += count * sizeof(std::uint64_t))
+  {
+    for (std::size_t lane = 0; lane < count; ++lane)
+    {
+      add(lane, at + done + lane * sizeof(std::uint64_t), sizeof(std::uint64_t));
+    }
+  }
+  for (; done < size; done += sizeof(std::uint64_t))
+  {
+    add(0, at + done, std::min(sizeof(std::uint64_t), size - done));
+  }
+  Digest digest;
+  digest.Add(sums, sizeof(sums));
+  return digest.Sum();
+}
 
 /// Of an air's values and times; never 0.
 std::uint64_t SumOf(const HalfSeries& air, const ParallelFor& parallel)
@@ -21,9 +53,7 @@ std::uint64_t SumOf(const HalfSeries& air, const ParallelFor& parallel)
            {
              for (std::size_t k = begin; k < end; ++k)
              {
-               Digest digest;
-               digest.Add(air.Values[k].data(), sizeof(Half3) * air.Values[k].size());
-               sums[k] = digest.Sum();
+               sums[k] = QuickSum(air.Values[k].data(), sizeof(Half3) * air.Values[k].size());
              }
            });
   Digest digest;
