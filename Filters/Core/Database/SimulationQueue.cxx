@@ -149,7 +149,10 @@ Result ServeSimulations(ReadingStream& inputs, SharedItems& items, int atOnce,
     {
       MemoryStream result;
       MoveTraced(result, traced);
-      items.Give({ { whole, std::move(result.Content) } });
+      std::vector<ItemResult> one(1);
+      one[0].Item = whole;
+      one[0].Content = std::move(result.Content);
+      items.Give(one);
     }
   }
   return Result::Ok();

@@ -62,21 +62,37 @@ std::uint64_t SumOf(const HalfSeries& air, const ParallelFor& parallel)
   return std::max<std::uint64_t>(digest.Sum(), 1);
 }
 
-/// All that bodies do depends on, but the air.
+/// What bodies do depends on all the time.
 struct ToldRun
 {
   MotionProblem Problem; // of the Tracks their places alone
   AssimilationOptions Options;
   bool HasSolids = false;
-  std::vector<char> IsOld;
-  std::vector<BodyState> Bodies;
 };
 
 template <class Told>
 void MoveRun(StateArchive& stream, Told& told)
 {
-  stream.Values(told.Problem, told.HasSolids, told.IsOld, told.Bodies);
+  stream.Values(told.Problem, told.HasSolids);
   AssimilationOptions::VisitAir(stream, told.Options);
+}
+
+ToldRun ToldOf(const AirContext& run)
+{
+  ToldRun told;
+  told.Problem.Scene = run.Input.Scene;
+  told.Problem.Objects = run.Input.Objects;
+  told.Problem.Constraints = run.Input.Constraints;
+  told.Problem.Obstacles = run.Input.Obstacles;
+  for (const Track& track : run.Input.Tracks)
+  {
+    told.Problem.Tracks.emplace_back();
+    told.Problem.Tracks.back().ObjectId = track.ObjectId;
+    told.Problem.Tracks.back().Positions = track.Positions;
+  }
+  told.Options = run.Options;
+  told.HasSolids = run.Search.HasSolids;
+  return told;
 }
 
 AssimilationInput InputOf(MotionProblem problem)
@@ -122,39 +138,33 @@ void SetState(BodyState& state, BodyProblem& body, std::vector<Vec3>& path)
 void TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodies,
              StateArchive& stream)
 {
-  ToldRun told;
-  told.Problem.Scene = run.Input.Scene;
-  told.Problem.Objects = run.Input.Objects;
-  told.Problem.Constraints = run.Input.Constraints;
-  told.Problem.Obstacles = run.Input.Obstacles;
-  for (const Track& track : run.Input.Tracks)
-  {
-    told.Problem.Tracks.emplace_back();
-    told.Problem.Tracks.back().ObjectId = track.ObjectId;
-    told.Problem.Tracks.back().Positions = track.Positions;
-  }
-  told.Options = run.Options;
-  told.HasSolids = run.Search.HasSolids;
-  told.IsOld = bodies.IsOld;
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
-  {
-    told.Bodies.push_back(StateOf(bodies.Problems[o], bodies.Paths[o]));
-    if (!bodies.Poses.empty())
-    {
-      told.Bodies.back().Slips = bodies.Poses[o].Slips;
-    }
-  }
-  const ToldRun& all = told;
-  MoveRun(stream, all);
+  const bool isNewRun = !run.IsTold;
   const std::uint64_t sum = SumOf(air, run.Parallel);
-  const bool isNew = run.AirSent != sum;
+  const bool isNewAir = run.AirSent != sum;
+  run.IsTold = true;
   run.AirSent = sum;
-  stream.Values(isNew, sum);
-  if (isNew)
+  stream.Values(isNewRun, isNewAir, sum);
+  if (isNewRun)
+  {
+    const ToldRun told = ToldOf(run);
+    MoveRun(stream, told);
+  }
+  if (isNewAir)
   {
     HalfSeries::VisitLattice(stream, air);
     stream.Values(air.Values);
   }
+  std::vector<BodyState> states;
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    states.push_back(StateOf(bodies.Problems[o], bodies.Paths[o]));
+    if (!bodies.Poses.empty())
+    {
+      states.back().Slips = bodies.Poses[o].Slips;
+    }
+  }
+  const std::vector<BodyState>& all = states;
+  stream.Values(all, bodies.IsOld);
 }
 
 struct AirElsewhere::Heard
@@ -180,35 +190,40 @@ AirElsewhere::~AirElsewhere() = default;
 
 Result AirElsewhere::Hear(StateArchive& stream, const ParallelFor& parallel)
 {
-  ToldRun told;
-  MoveRun(stream, told);
-  bool isNew = false;
+  bool isNewRun = false, isNewAir = false;
   std::uint64_t sum = 0;
-  stream.Values(isNew, sum);
-  if (isNew)
+  stream.Values(isNewRun, isNewAir, sum);
+  if (isNewRun)
+  {
+    ToldRun told;
+    MoveRun(stream, told);
+    this->Now = std::make_unique<Heard>(std::move(told), parallel);
+    Heard& now = *this->Now;
+    WAFT_RETURN_IF_FAILED(now.Run.Obstacles.Build(now.Input.Obstacles));
+    AssimilationOutput judged;
+    WAFT_RETURN_IF_FAILED(SetUpBodies(now.Run, now.Bodies, judged));
+  }
+  if (isNewAir)
   {
     this->Sum = sum;
     HalfSeries::VisitLattice(stream, this->Series);
     stream.Values(this->Series.Values);
   }
-  if (this->Sum != sum)
+  std::vector<BodyState> states;
+  std::vector<char> isOld;
+  stream.Values(states, isOld);
+  if (this->Now == nullptr || this->Sum != sum || states.size() != this->Now->Bodies.Size())
   {
-    return Result::Error("a process has another air than the first one");
+    return Result::Error("a process has another run than the first one");
   }
-  std::vector<BodyState> states = std::move(told.Bodies);
-  std::vector<char> isOld = std::move(told.IsOld);
-  this->Now = std::make_unique<Heard>(std::move(told), parallel);
-  Heard& now = *this->Now;
-  WAFT_RETURN_IF_FAILED(now.Run.Obstacles.Build(now.Input.Obstacles));
-  AssimilationOutput judged;
-  WAFT_RETURN_IF_FAILED(SetUpBodies(now.Run, now.Bodies, judged));
-  now.Bodies.IsOld = std::move(isOld);
-  for (std::size_t o = 0; o < now.Bodies.Size(); ++o)
+  AirBodies& bodies = this->Now->Bodies;
+  bodies.IsOld = std::move(isOld);
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    SetState(states[o], now.Bodies.Problems[o], now.Bodies.Paths[o]);
+    SetState(states[o], bodies.Problems[o], bodies.Paths[o]);
     if (!states[o].Slips.empty())
     {
-      now.Bodies.Problems[o].SetSlips(states[o].Slips);
+      bodies.Problems[o].SetSlips(states[o].Slips);
     }
   }
   return Result::Ok();

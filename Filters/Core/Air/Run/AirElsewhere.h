@@ -36,7 +36,8 @@ BodyState StateOf(const BodyProblem& body, const std::vector<Vec3>& path);
 /// A body with the state but for its slips; the path is given.
 void SetState(BodyState& state, BodyProblem& body, std::vector<Vec3>& path);
 
-/// For AirElsewhere of all other ranks: the air goes to them when they do not have it yet.
+/// For AirElsewhere of all other ranks. What goes with the whole run is told once, an air where it
+/// is another than that they have.
 void TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodies,
              StateArchive& stream);
 
@@ -49,8 +50,6 @@ public:
   const AirContext& Run() const;
   const HalfSeries& Air() const { return this->Series; }
   AirBodies& Bodies();
-  /// Lets go of all but the air.
-  void Forget();
 
   AirElsewhere();
   ~AirElsewhere();

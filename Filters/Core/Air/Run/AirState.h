@@ -87,7 +87,8 @@ struct AirContext
   DriftScene Around; // of all bodies
   DriftSearch Search;
   AssimilationKey Key;
-  mutable std::uint64_t AirSent = 0; // which air the other ranks have; 0: none
+  mutable bool IsTold = false;       // to the other ranks
+  mutable std::uint64_t AirSent = 0; // which air they have; 0: none
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 

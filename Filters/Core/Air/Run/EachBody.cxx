@@ -122,7 +122,6 @@ Result ServeBodies(ReadingStream& inputs, SharedItems& items, int atOnce,
       result.Values(found);
     },
     stop);
-  elsewhere.Forget();
   return Result::Ok();
 }
 

@@ -77,7 +77,6 @@ Result ServeTouching(ReadingStream& inputs, Communicator& ranks, const ParallelF
   SilentMonitor silent;                        // the first rank's is asked
   (void)SolveHere(elsewhere.Run(), elsewhere.Air(), task, contacts, ranks, elsewhere.Bodies(),
                   silent);
-  elsewhere.Forget();
   return Result::Ok();
 }
 
