@@ -203,6 +203,14 @@ class LoopTest(unittest.TestCase):
         self.assertEqual(times[drawn] - times[drawn - 1], 1600)
         with Image.open(os.path.join(os.path.dirname(path), "frames", "hero_0060.png")) as still:
             self.assertLess(np.abs(np.asarray(still, float) - pictures[drawn - 1]).mean(), 4.0)
+        # Each picture of the fade is near what it is made of: none keeps blocks of the one before.
+        with Image.open(os.path.join(os.path.dirname(path), "frames", "hero_0000.png")) as still:
+            begun = np.asarray(still, float)
+        with Image.open(os.path.join(os.path.dirname(path), "frames", "hero_0060.png")) as still:
+            ended = np.asarray(still, float)
+        for step in range(1, 9):
+            meant = ended + (begun - ended) * step / 9
+            self.assertLess(np.abs(pictures[drawn - 1 + step] - meant).mean(), 1.5, step)
         # The fade ends near where the loop begins.
         begin = [np.abs(picture - pictures[0]).mean() for picture in pictures]
         self.assertLess(begin[-1], 0.4 * begin[drawn - 1])

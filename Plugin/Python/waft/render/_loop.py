@@ -65,8 +65,10 @@ class Loop:
         while low < high:
             middle = (low + high) // 2
             made = io.BytesIO()
+            # Each picture by itself (kmax): else blocks that change little from picture to picture stay as they were, and a
+            # fade and what moves slowly leave steps.
             first.save(made, "WEBP", save_all=True, append_images=self._pictures[1:] + fade, duration=durations, loop=0,
-                       quality=self._QUALITIES[middle], method=4)
+                       quality=self._QUALITIES[middle], method=4, kmin=0, kmax=1)
             if made.tell() <= self._limit:
                 best, high = made.getvalue(), middle
             else:
