@@ -161,18 +161,19 @@ class Objects:
         for index, look, actors, matrices in self._items:
             place, quaternion = self._motion.pose(index, time)
             turn = rotation(quaternion)
-            _set(matrices[0], turn.tolist(), place.tolist())
-            self._cast(place, turn, look, actors[1:], matrices[1:])
+            lifted = place + self._cast(place, turn, look, actors[1:], matrices[1:])
+            _set(matrices[0], turn.tolist(), lifted.tolist())
 
     def _cast(self, place, turn, look, actors, matrices):
+        """Casts a body's shadow; returns what the body is to be drawn off by, lest its shadow shows through it."""
         # From a little above, so that an object that lies on a surface finds it.
         lift = 0.02 * look.extent
         met = self._scenery.below(place - lift * self._scenery.sun)
         for actor in actors:
             actor.SetVisibility(met is not None)
         if met is None:
-            return
-        spot, normal, distance = met
+            return 0.0
+        spot, normal, distance, off = met
         nearness = distance / (_NEAR * look.extent)
         sharp = self._shadow * math.exp(-nearness)
         soft = 0.52 * self._shadow * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)
@@ -188,6 +189,7 @@ class Objects:
         actors[-1].SetVisibility(bool(soft > 0.01))
         width = look.extent * (1.0 + 0.35 * nearness)
         _set(matrices[-1], (width * basis).tolist(), spot.tolist())
+        return max(1.0 - distance / look.extent, 0.0) * off * normal
 
     def _plane(self, normal):
         """Of a plane with that normal: axes whose third is the normal, and what casts onto it along each of the sun's rays s,

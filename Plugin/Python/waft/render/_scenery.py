@@ -169,13 +169,14 @@ class Scenery:
 
     def below(self, point):
         """Where the sun's ray through a point meets a surface first: (place of the shadow just
-        above what is drawn there, normal, distance), or None."""
+        above what is drawn there, normal, distance, how far a body is to be drawn off the surface
+        so that its shadow stays below it), or None."""
         best = None
         layer = LAYER * self.size
         if self.ground is not None and point[2] > self.ground - 0.05 * self.size:
             up = np.array([0.0, 0.0, 1.0])
             distance = max((self.ground - point[2]) / self.sun[2], 0.0)
-            best = (point + self.sun * distance - layer * up, up, distance)
+            best = (point + self.sun * distance - layer * up, up, distance, 0.0)
         if self._locator is not None:
             end = point + self.sun * (best[2] if best else 4.0 * self.size)
             along, sub, cell = mutable(0.0), mutable(0), mutable(0)
@@ -188,7 +189,7 @@ class Scenery:
                 best = None
                 if normal[2] > 0.5:
                     distance = float(np.linalg.norm(np.array(hit) - point))
-                    best = (np.array(hit) + layer * normal, normal, distance)
+                    best = (np.array(hit) + layer * normal, normal, distance, 3.0 * layer)
         return best
 
     def hides(self, eye, point):
