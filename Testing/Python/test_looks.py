@@ -123,9 +123,9 @@ class StyleTest(unittest.TestCase):
     def setUpClass(cls):
         cls.motion = load(folder("style"))
 
-    def drawn(self, style, frame=LAST, **changes):
+    def drawn(self, style, frame=LAST, view="hero", motion=None, **changes):
         with mock.patch.dict(_styles.STYLES, {style: dataclasses.replace(STYLES[style], **changes)}):
-            taken = Stage(self.motion, SIZE, 1, paths=False, targets=False, style=style).draw("hero", frame)
+            taken = Stage(motion or self.motion, SIZE, 1, paths=False, targets=False, style=style).draw(view, frame)
         return vtk_to_numpy(taken.GetPointData().GetScalars()).astype(float).reshape(SIZE[1], SIZE[0], 3)
 
     def test_each_has_its_own_ground(self):
@@ -150,6 +150,16 @@ class StyleTest(unittest.TestCase):
         self.assertGreater(hard.max(), 20.0)
         between = [((shade > 0.15 * shade.max()) & (shade < 0.6 * shade.max())).sum() for shade in (hard, soft)]
         self.assertGreater(between[1], 1.3 * between[0])
+
+    def test_what_lies_on_an_obstacle_hides_its_shadow(self):
+        motion = load(folder("lies"))
+        motion.positions[0] = [0.45, 0.4, 0.512]  # on the box, which its middle touches
+        motion.orientations[0] = [1.0, 0.0, 0.0, 0.0]
+        shaded, plain = (self.drawn("studio", view="top", motion=motion, shadow=shadow) for shadow in (STYLES["studio"].shadow, 0.0))
+        leaf = plain[..., 0] > 1.5 * plain[..., 2]
+        self.assertGreater(leaf.sum(), 50)
+        self.assertGreater((plain - shaded).max(), 20.0)
+        self.assertLess((plain - shaded)[leaf].max(), 8.0)
 
     def test_tone_mapping_changes_brightness(self):
         dim, bright = (self.drawn("studio", exposure=exposure).mean() for exposure in (0.6, 1.4))
