@@ -239,9 +239,4 @@ AirBodies& AirElsewhere::Bodies()
   return this->Now->Bodies;
 }
 
-void AirElsewhere::Forget()
-{
-  this->Now.reset();
-}
-
 } // namespace waft
