@@ -150,17 +150,23 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const Parallel
              });
     ranks.Gather(parts.data(), sizeof(double) * knot, begins);
     result.assign(a.size(), 0.0);
-    for (std::size_t f = 0; f < samples.size(); ++f)
-    {
-      for (int m = 0; m < 4; ++m)
-      {
-        double* sum = result.data() + static_cast<std::size_t>(levels[f].First + m) * knot;
-        for (std::size_t i = 0; i < knot; ++i)
-        {
-          sum[i] += levels[f].Weight[m] * parts[f * knot + i];
-        }
-      }
-    }
+    parallel(knot,
+             [&](std::size_t begin, std::size_t end)
+             {
+               for (std::size_t f = 0; f < samples.size(); ++f)
+               {
+                 const double* part = parts.data() + f * knot;
+                 for (int m = 0; m < 4; ++m)
+                 {
+                   double* sum =
+                     result.data() + static_cast<std::size_t>(levels[f].First + m) * knot;
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     sum[i] += levels[f].Weight[m] * part[i];
+                   }
+                 }
+               }
+             });
     this->Penalise(a, result);
   };
   std::vector<double> residual, direction, product;
