@@ -86,6 +86,22 @@ Quat Landing::Level(const Quat& orientation, double side) const
     .normalized();
 }
 
+/// The pose in which it stands, put down like that. Where that is on an edge or on its end, as a
+/// bent sheet does on a bent edge, it falls over: the path leads to where it lies.
+Quat Landing::Roll(const Quat& orientation) const
+{
+  const std::vector<Vec3>& points = this->Plan->Body->Mesh.Points;
+  const auto height = [&](const Quat& q)
+  { return StandingHeight(points, q, this->Rest->Normal); };
+  const Quat standing = RollDown(points, orientation, this->Rest->Normal);
+  const double lying =
+    std::max(height(this->Level(orientation, 1.0)), height(this->Level(orientation, -1.0)));
+  return height(standing) <= lying + this->Plan->Tolerance
+           ? standing
+           : RollDown(points, this->Level(orientation, this->IsUp(orientation) ? 1.0 : -1.0),
+                      this->Rest->Normal);
+}
+
 Settling Landing::Draw(int frame, const Quat& orientation) const
 {
   Settling settling;
@@ -178,13 +194,11 @@ RestingPose Landing::Lay(const Quat& arriving) const
   }
   if (this->Key == nullptr)
   {
-    const std::vector<Vec3>& points = this->Plan->Body->Mesh.Points;
-    level.Orientation = RollDown(points, arriving, this->Rest->Normal);
+    level.Orientation = this->Roll(arriving);
     const bool isUp = this->IsUp(level.Orientation);
     if (this->Rest->Side != FaceUp::Any && isUp != (this->Rest->Side == FaceUp::Up))
     {
-      level.Orientation =
-        RollDown(points, this->Level(arriving, isUp ? -1.0 : 1.0), this->Rest->Normal);
+      level.Orientation = this->Roll(this->Level(arriving, isUp ? -1.0 : 1.0));
     }
   }
   const double most =

@@ -51,6 +51,7 @@ private:
   double Rise(int frame, const Quat& orientation) const;
   double Give(int frame) const;
   bool IsUp(const Quat& orientation) const;
+  Quat Roll(const Quat& orientation) const;
   Quat Level(const Quat& orientation, double side) const;
 
   const AttitudePlan* Plan;
