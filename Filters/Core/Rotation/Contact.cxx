@@ -51,7 +51,11 @@ public:
     double deepest = 0.0;
     for (std::size_t k = 0; k < this->Count; ++k)
     {
-      if (this->Around.IsNear(k) && this->Movable(k))
+      if (!this->Movable(k))
+      {
+        blend[k] = 0.0; // of its neighbours
+      }
+      else if (this->Around.IsNear(k))
       {
         blend[k] = this->LeastBlend(k, blend[k]); // where smoothing was not enough
       }
@@ -63,7 +67,7 @@ public:
     }
     for (std::size_t k = 0; k < this->Count; ++k)
     {
-      if (blend[k] > 0.0 && this->Movable(k))
+      if (blend[k] > 0.0)
       {
         this->Orientations[k] = this->Around.Blended(k, blend[k]);
         changed[k] = 1;

@@ -68,6 +68,23 @@ Landed Land(const ObstacleSet& obstacles, const Quat& start, double phase, doubl
   return landed;
 }
 
+/// As sheets come from a printer: bent along its length and about one corner.
+Shape BentSheet()
+{
+  Shape sheet = Sheet(0.297, 0.21, 12);
+  for (Vec3& p : sheet.Mesh.Points)
+  {
+    const double corner = std::max(0.0, p.x() / 0.1485 + p.y() / 0.105 - 1.0);
+    p.z() = 1.3 * p.x() * p.x() + 0.01 * corner * corner;
+  }
+  const Vec3 center = ShellCentroid(sheet.Mesh);
+  for (Vec3& p : sheet.Mesh.Points)
+  {
+    p -= center;
+  }
+  return sheet;
+}
+
 Vec3 Centre(const Landed& landed, int frame)
 {
   const std::vector<Vec3>& shifts = landed.Output.Shifts[0];
@@ -268,6 +285,42 @@ TEST(Landing, RestFromTheFirstFrame)
   for (const Quat& q : output.Poses[0].Orientations)
   {
     EXPECT_EQ(q.coeffs(), output.Poses[0].Orientations[0].coeffs());
+  }
+}
+
+TEST(Landing, ABentSheetLiesAndDoesNotStandOnItsEdge)
+{
+  // Bent by so much that it stands by itself on a bent edge, half its width above the ground.
+  const ObstacleSet ground = Ground();
+  const Shape sheet = BentSheet();
+  const Vec3 place(0.0, 0.0, RestHeight(sheet));
+  std::vector<Vec3> path(28, place);
+  for (int k = 1; k <= 40; ++k)
+  {
+    path.push_back(place + Vec3(0.2, 0.0, 0.4) * (k * k / 900.0));
+  }
+  Landed landed;
+  landed.Input = OneObject(sheet, path);
+  landed.Input.Obstacles = &ground;
+  landed.Input.Constraints = { RestRow(0, 27, Vec3::Zero()) };
+  for (int i = -2; i < 30; ++i)
+  {
+    // On either edge, and as it comes.
+    const double quarter = 0.5 * std::acos(-1.0);
+    landed.Input.Objects[0].OrientationGiven = i < 0 ? 1 : 0;
+    landed.Input.Objects[0].Orientation = ExpMap(Vec3(i == -1 ? quarter : -quarter, 0.0, 0.0));
+    RotationOptions options;
+    options.Seed = static_cast<std::uint64_t>(i + 3);
+    landed.Output = Refine(landed.Input, options);
+    EXPECT_TRUE(landed.Output.Warnings.empty()) << i << ": " << landed.Output.Warnings[0];
+    const std::vector<Quat>& poses = landed.Output.Poses[0].Orientations;
+    for (int k = 0; k < static_cast<int>(path.size()); ++k)
+    {
+      EXPECT_GE(LowestVertex(landed, k, 0.0), -1e-9) << i << ", frame " << k;
+      EXPECT_LT(Angle(poses[k], poses[std::max(k - 1, 0)]), 0.7) << i << ", frame " << k;
+    }
+    ExpectOnThreePoints(landed, 0, 0.0);
+    ExpectOnThreePoints(landed, 27, 0.0);
   }
 }
 
