@@ -261,6 +261,7 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
   const double slowing = wanted > MostSteps ? MostSteps / wanted : 1.0;
   const double h = path.Step / steps;
   const double fade = std::exp(-0.5 * h * body.Damping);
+  const Quat since = state.Orientation;
   for (int i = 0; i < steps; ++i)
   {
     const double here = frame + static_cast<double>(i) / steps;
@@ -309,7 +310,8 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
         const Vec3 slip = std::exp(-SlipOnFloor * h) * (state.Velocity(body) - along);
         state.SetVelocity(body, along + slip);
       }
-      events.Touched = TouchFloor(body, now, state) || events.Touched;
+      const ContactRoom room{ since, (i + 1) * h * fastest };
+      events.Touched = TouchFloor(body, now, state, room) || events.Touched;
     }
     events.Slowed = LimitTurning(body, fastest, state) || events.Slowed;
   }

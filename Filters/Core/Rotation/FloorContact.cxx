@@ -26,8 +26,9 @@ double Lowest(const Floor& floor, const Quat& orientation)
   return lowest;
 }
 
-/// The least part of the turn that lays the body flat, on the nearer side, by which all is above.
-Quat LeastTurnUp(const Floor& floor, const Quat& orientation)
+/// The least part of the turn that lays the body flat, on the nearer side, by which all is above,
+/// or as much of it as there is room for.
+Quat LeastTurnUp(const Floor& floor, const Quat& orientation, const ContactRoom& room)
 {
   const Mat3 axes = orientation.toRotationMatrix();
   const double side = axes.col(2).dot(floor.Normal) < 0.0 ? -1.0 : 1.0;
@@ -39,6 +40,18 @@ Quat LeastTurnUp(const Floor& floor, const Quat& orientation)
     const double middle = 0.5 * (low + high);
     const bool above = Lowest(floor, ExpMap(middle * flat) * orientation) >= -TouchSlack;
     (above ? high : low) = middle;
+  }
+  const auto isFar = [&](double part)
+  { return LogMap(ExpMap(part * flat) * orientation * room.Since.conjugate()).norm() > room.Most; };
+  if (floor.Lifts && isFar(high))
+  {
+    low = 0.0;
+    for (int i = 0; i < Halvings; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      (isFar(middle) ? high : low) = middle;
+    }
+    high = low;
   }
   return ExpMap(high * flat);
 }
@@ -76,7 +89,8 @@ bool Push(const FlightBody& body, const Floor& floor, FlightState& state)
 }
 } // namespace
 
-bool TouchFloor(const FlightBody& body, const Floor& below, FlightState& state)
+bool TouchFloor(const FlightBody& body, const Floor& below, FlightState& state,
+                const ContactRoom& room)
 {
   Floor floor = below;
   floor.Height += below.Give;
@@ -84,7 +98,7 @@ bool TouchFloor(const FlightBody& body, const Floor& below, FlightState& state)
   {
     return false;
   }
-  const Quat turn = LeastTurnUp(floor, state.Orientation);
+  const Quat turn = LeastTurnUp(floor, state.Orientation, room);
   state.Orientation = (turn * state.Orientation).normalized();
   state.AngularMomentum = turn * state.AngularMomentum; // the body is turned as it moves
   for (int i = 0; i < MostPushes && Push(body, floor, state); ++i)

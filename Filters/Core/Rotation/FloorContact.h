@@ -4,6 +4,7 @@
 
 #include "Rotation/Flight.h"
 
+#include <limits>
 #include <vector>
 
 namespace waft
@@ -19,6 +20,7 @@ struct Floor
   double Give = 0.0;     // m, by which the floor may lift the centre before it turns the body
   double GiveRate = 0.0; // m/s
   double Weight = 0.0;   // N, that presses a body on it which touches; 0: the path carries it
+  bool Lifts = false;    // it may lift the centre by more than Give, where turning has a limit
 
   /// As it is later [s].
   Floor After(double time) const
@@ -30,13 +32,21 @@ struct Floor
   }
 };
 
+/// How far a floor that Lifts may turn a body.
+struct ContactRoom
+{
+  Quat Since = Quat::Identity(); // it is no farther turned than Most from this pose
+  double Most = std::numeric_limits<double>::infinity(); // rad
+};
+
 /// Turns a body of which a point lies below the floor towards lying flat, on the nearer side, by
 /// the least that lifts it, about its centre, which stays. The turning that drives touched points
 /// further down is taken from it by pushes of the floor at them, without rebound or friction: its
 /// energy never grows. Returns whether anything touched. Where the centre is too low for the flat
 /// pose points stay below. A point that is below by no more than the floor's Give is left there:
-/// the centre is lifted.
-bool TouchFloor(const FlightBody& body, const Floor& floor, FlightState& state);
+/// the centre is lifted; so is what a floor that Lifts has no room to turn.
+bool TouchFloor(const FlightBody& body, const Floor& floor, FlightState& state,
+                const ContactRoom& room = {});
 
 /// For a time [s] the weight presses a body of which a point lies below the floor on its lowest
 /// points, so that it tips over and rocks about what carries it, and the air that is pressed from

@@ -17,6 +17,7 @@ constexpr double RockingTime = 1.2;  // s after it, at most
 constexpr double LongestGive = 0.35; // of the bounding radius, that the ground lifts a centre
 constexpr double EnoughUp = 0.6;     // cosine, from which the ground does the rest of a turn
 constexpr double LeastSlope = 0.1;   // z of the steepest normal, as of RestingPosition
+constexpr double SameSurface = 0.9;  // cosine between the normals
 constexpr double FarAway = 1e300;    // m
 constexpr double StillAngle = 0.12;  // rad, off the pose at rest
 constexpr double StillRate = 0.3;    // rad/s
@@ -91,8 +92,7 @@ Quat Landing::Level(const Quat& orientation, double side) const
 Quat Landing::Roll(const Quat& orientation) const
 {
   const std::vector<Vec3>& points = this->Plan->Body->Mesh.Points;
-  const auto height = [&](const Quat& q)
-  { return StandingHeight(points, q, this->Rest->Normal); };
+  const auto height = [&](const Quat& q) { return StandingHeight(points, q, this->Rest->Normal); };
   const Quat standing = RollDown(points, orientation, this->Rest->Normal);
   const double lying =
     std::max(height(this->Level(orientation, 1.0)), height(this->Level(orientation, -1.0)));
@@ -151,6 +151,8 @@ void Landing::Support(int frame, const Quat& orientation, double step, Floor& fl
   floor.Rate += (this->Rise(frame + 1, orientation) - rise) / step;
   floor.Give = this->Give(frame);
   floor.GiveRate = (this->Give(frame + 1) - floor.Give) / step;
+  floor.Lifts = this->Rest->ObstacleId >= 0 && !this->Held &&
+                floor.Normal.dot(this->Rest->Normal) > SameSurface;
   floor.Weight = this->Held ? 0.0 : this->Plan->Object->Mass * StandardGravity;
 }
 

@@ -324,6 +324,42 @@ TEST(Landing, ABentSheetLiesAndDoesNotStandOnItsEdge)
   }
 }
 
+TEST(Landing, WhoComesDownOnItsEdgeFallsOverNoFasterThanTheLimit)
+{
+  // The centre is not braked before it is where a lying body has it, and an edge touches earlier:
+  // the ground holds it up for as long as the body takes to fall over.
+  const ObstacleSet ground = Ground();
+  const Shape petal = CurledLeaf(0.075);
+  const Vec3 place(0.0, 0.0, RestHeight(petal));
+  std::vector<Vec3> path;
+  for (int k = 0; k < 60; ++k)
+  {
+    const double left = std::max(0, 8 - k) / 30.0;
+    path.push_back(place + Vec3(0.0, 0.0, 0.85 * left));
+  }
+  Landed landed;
+  landed.Input = OneObject(petal, path);
+  landed.Input.Obstacles = &ground;
+  landed.Input.Constraints = { RestRow(40, 59, Vec3::Zero()) };
+  landed.Input.Constraints[0].TouchDown = 8;
+  landed.Input.Objects[0].OrientationGiven = 1;
+  for (int i = 0; i < 40; ++i)
+  {
+    RotationOptions options;
+    landed.Input.Objects[0].Orientation =
+      ExpMap(Vec3(0.0, 0.0, 0.3 * i)) * ExpMap(Vec3(0.0, 1.3 + 0.02 * i, 0.0));
+    landed.Output = Refine(landed.Input, options);
+    EXPECT_TRUE(landed.Output.Warnings.empty()) << i << ": " << landed.Output.Warnings[0];
+    const std::vector<Quat>& poses = landed.Output.Poses[0].Orientations;
+    for (int k = 1; k < 60; ++k)
+    {
+      EXPECT_GE(LowestVertex(landed, k, 0.0), -1e-9) << i << ", frame " << k;
+      EXPECT_LT(Angle(poses[k], poses[k - 1]), 0.699) << i << ", frame " << k;
+    }
+    ExpectOnThreePoints(landed, 59, 0.0);
+  }
+}
+
 TEST(Landing, ABodyThatPassesOverTheGroundDoesNotCutIt)
 {
   // The centre passes at 0.02 m, less than half the leaf's length.
