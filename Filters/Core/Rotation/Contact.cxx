@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/Contact.h"
 
+#include "Base/SmoothStep.h"
+#include "Rotation/RigidBody.h"
 #include "Rotation/Surroundings.h"
 
 #include <cmath>
@@ -9,6 +11,7 @@ namespace waft
 {
 namespace
 {
+constexpr double Flip = 0.6;       // rad, in a frame
 constexpr double Rounding = 1e-10; // m: a vertex this far below a plane lies on it
 
 class ContactSolver
@@ -177,7 +180,41 @@ private:
         smooth[k] = 0.0;
       }
     }
+    this->EaseAtFlips(smooth);
     return smooth;
+  }
+
+  /// Where the body turns on its other side, what frames around would lay it flat by ends: on
+  /// either side of there it would lie on another side.
+  void EaseAtFlips(std::vector<double>& blend) const
+  {
+    std::vector<double> eased = blend;
+    const double reach = 2.0 * this->Input.SmoothingFrames + 1.0;
+    for (std::size_t k = 0; k + 1 < this->Count; ++k)
+    {
+      if (!(blend[k] + blend[k + 1] > 0.0) || !this->Around.ChangesSide(k) ||
+          !this->Flips(k, blend))
+      {
+        continue;
+      }
+      for (std::size_t i = 0; i < this->Count; ++i)
+      {
+        const double away = std::abs(static_cast<double>(i) - static_cast<double>(k) - 0.5);
+        const double part = away < reach ? SmoothStep(away / reach) : 1.0;
+        eased[i] = std::min(eased[i], std::max(this->Needed[i], part * blend[i]));
+      }
+    }
+    blend = eased;
+  }
+
+  /// Does this frame turn the body by much more than it turned before?
+  bool Flips(std::size_t k, const std::vector<double>& blend) const
+  {
+    const auto turn = [&](const Quat& from, const Quat& to)
+    { return LogMap(to * from.conjugate()).norm(); };
+    return this->Movable(k) && this->Movable(k + 1) &&
+           turn(this->Around.Blended(k, blend[k]), this->Around.Blended(k + 1, blend[k + 1])) >
+             Flip + turn(this->Orientations[k], this->Orientations[k + 1]);
   }
 
   const ContactInput& Input;

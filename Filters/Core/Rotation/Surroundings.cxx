@@ -161,6 +161,14 @@ Quat Surroundings::Blended(std::size_t k, double blend) const
   return (ExpMap(blend * this->Scenes[k].Turn) * this->Orientations[k]).normalized();
 }
 
+bool Surroundings::ChangesSide(std::size_t k) const
+{
+  const auto side = [&](std::size_t i)
+  { return (this->Blended(i, 1.0) * Vec3::UnitZ()).dot(this->Scenes[i].Planes[0].Normal); };
+  return !this->Scenes[k].Planes.empty() && !this->Scenes[k + 1].Planes.empty() &&
+         side(k) * side(k + 1) < 0.0;
+}
+
 double Surroundings::Lowest(std::size_t k, double blend) const
 {
   const Quat q = this->Blended(k, blend);

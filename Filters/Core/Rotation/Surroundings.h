@@ -30,6 +30,8 @@ public:
   bool IsPlain(std::size_t k) const { return this->Scenes[k].Plain; }
 
   Quat Blended(std::size_t k, double blend) const;
+  /// Would the body lie on one side in this frame and on the other in the next?
+  bool ChangesSide(std::size_t k) const;
   /// Height of the lowest vertex above the planes of this frame [m].
   double Lowest(std::size_t k, double blend) const;
   /// The vertex deepest below a surface, whatever the planes, and its depth [m]; 0 when none is.

@@ -3,6 +3,7 @@
 // meshes that pass close by.
 #include "Constraints/Rest.h"
 #include "Refining.h"
+#include "Rotation/Contact.h"
 
 using namespace waft;
 using namespace waft::fixtures;
@@ -265,4 +266,41 @@ TEST(Surfaces, AnExactMarkHoldsTheCentre)
   flown.Input.Constraints.push_back(mark);
   flown.Output = Refine(flown.Input);
   EXPECT_EQ((flown.Center(Rest + 5) - flown.Input.Tracks[0].Positions[Rest + 5]).norm(), 0.0);
+}
+
+TEST(Surfaces, WhoTurnsOnItsOtherSideAboveTheGroundDoesNotFlip)
+{
+  // A sheet rises slowly, cuts the ground as it turns onto its edge, and turns over where it no
+  // longer does: what lays it flat before would lay it on its other side after.
+  const ObstacleSet ground = Build({ Slab() });
+  const Shape sheet = Sheet(0.297, 0.21);
+  for (const int leaves : { 0, 21, 24, 26 }) // frames that keep to the side on which it lay
+  {
+    std::vector<Vec3> places;
+    std::vector<Quat> poses;
+    std::vector<ContactFrame> frames;
+    for (int k = 0; k < 60; ++k)
+    {
+      places.emplace_back(0.0, 0.0, std::min(0.16, 0.06 + 0.015 * std::max(k - 15, 0)));
+      poses.push_back(ExpMap(Vec3(0.0, 0.06 * (k - 23.4) + 0.5 * std::acos(-1.0), 0.0)));
+      ContactFrame frame;
+      frame.Freedom = k < leaves ? PoseFreedom::Leaving : PoseFreedom::Free;
+      frames.push_back(frame);
+    }
+    ContactInput contact;
+    contact.Mesh = &sheet.Mesh;
+    contact.BoundingRadius = 0.5 * std::hypot(0.297, 0.21);
+    contact.Positions = &places;
+    contact.Frames = &frames;
+    contact.Obstacles = &ground;
+    contact.MostShift = 4e-3;
+    std::vector<unsigned char> changed(places.size(), 0);
+    std::vector<Vec3> shifts(places.size(), Vec3::Zero());
+    EXPECT_LE(KeepAboveSurfaces(contact, poses, changed, shifts), 1e-9) << leaves;
+    EXPECT_NE(changed[14], 0);
+    for (std::size_t k = 1; k < poses.size(); ++k)
+    {
+      EXPECT_LT(Angle(poses[k], poses[k - 1]), 0.5) << leaves << ", frame " << k;
+    }
+  }
 }
