@@ -50,6 +50,25 @@ double Excess(const std::vector<double>& turns, double most)
   return excess;
 }
 
+/// Poses that came with the path are not kept from a little before the first frame that turns by
+/// more: they were flown elsewhere, and a surface turns them. Where some are not kept in any case
+/// the others are who moves the body's.
+void FlyFrom(const AttitudePlan& given, const std::vector<double>& turns, double most,
+             AttitudePlan& plan)
+{
+  if (given.TurnsFrom != std::numeric_limits<int>::max())
+  {
+    return;
+  }
+  const auto first =
+    std::find_if(turns.begin(), turns.end(), [most](double turn) { return turn > most * Slack; });
+  if (first != turns.end())
+  {
+    const long from = std::max<long>(first - turns.begin() - Ramp, 0);
+    plan.TurnsFrom = std::min(plan.TurnsFrom, static_cast<int>(from));
+  }
+}
+
 /// Sets the limit from a little before the first frame that turns by more, where the body turns
 /// slower than that by itself; what was before stays.
 void LimitFrom(const AttitudeOutcome& outcome, const std::vector<double>& turns, double most,
@@ -109,17 +128,20 @@ AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const Fl
                                  FlightPath path)
 {
   AttitudeOutcome best = TurnObject(plan, body, path);
+  AttitudePlan own = plan;
   std::vector<double> turns = Turns(best);
   double least = Excess(turns, most);
   path.FastestTurning.assign(path.RelativeVelocities.size(), Unlimited);
   path.QuickestChange = Quickness * most / (path.Step * path.Step);
   LimitFrom(best, turns, most, path);
+  FlyFrom(plan, turns, most, own);
   int vain = 0; // flights, one after another
   for (int flight = 0; flight < MostFlights && least > 0.0 && vain < MostInVain; ++flight)
   {
-    AttitudeOutcome next = TurnObject(plan, body, path);
+    AttitudeOutcome next = TurnObject(own, body, path);
     turns = Turns(next);
     LimitFrom(next, turns, most, path);
+    FlyFrom(plan, turns, most, own);
     SlowAbout(turns, most, path.Step, path.FastestTurning);
     const double excess = Excess(turns, most);
     ++vain;

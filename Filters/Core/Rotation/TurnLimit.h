@@ -15,7 +15,8 @@ namespace waft
 /// turns by more for the first time, with an angular velocity that never is above it and that
 /// torques change by at most half of it in a frame, so that it does not jump back and forth between
 /// two limits. Where a row, a rest or a surface turns the flown poses beyond it, the body flies
-/// again, slower about there, a few times, as long as that helps.
+/// again, slower about there, a few times, as long as that helps; poses that came with its path are
+/// not kept from there on.
 AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const FlightBody& body,
                                  FlightPath path);
 

@@ -304,3 +304,34 @@ TEST(Surfaces, WhoTurnsOnItsOtherSideAboveTheGroundDoesNotFlip)
     }
   }
 }
+
+TEST(Surfaces, PosesOfAPathThatTurnOverInTheGroundAreFlownAnew)
+{
+  // They came with a path that was higher: on edge the sheet would cut the ground, and lie on one
+  // side before and on the other after.
+  const ObstacleSet ground = Build({ Slab() });
+  const Shape sheet = Sheet(0.297, 0.21);
+  std::vector<Vec3> path;
+  for (int k = 0; k < 60; ++k)
+  {
+    path.emplace_back(0.01 * k, 0.0, 0.13 + 1e-4 * std::pow(k - 23.4, 2));
+  }
+  RotationInput input = OneObject(sheet, path);
+  input.Obstacles = &ground;
+  Track& track = input.Tracks[0];
+  for (int k = 0; k < 60; ++k)
+  {
+    track.Orientations.push_back(ExpMap(Vec3(0.0, 0.06 * (k - 23.4) + 0.5 * std::acos(-1.0), 0.0)));
+    track.AngularVelocities.emplace_back(0.0, 1.8, 0.0);
+    track.Slips.emplace_back(0.0, 0.0, -0.75);
+  }
+  input.Objects[0].SettlingSpeed = 0.75;
+  const RotationOutput output = Refine(input);
+  const std::vector<Quat>& poses = output.Poses[0].Orientations;
+  EXPECT_TRUE(output.Warnings.empty()) << output.Warnings[0];
+  EXPECT_LT(Angle(poses[0], track.Orientations[0]), 1e-9);
+  for (std::size_t k = 1; k < poses.size(); ++k)
+  {
+    EXPECT_LT(Angle(poses[k], poses[k - 1]), 0.699) << k;
+  }
+}
