@@ -64,6 +64,13 @@ double Communicator::Largest(double value)
   return value;
 }
 
+bool GoesOn(Communicator& ranks, Monitor& monitor, double done)
+{
+  char goesOn = ranks.IsFirst() && monitor.Tick(done, "") ? 1 : 0;
+  ranks.Broadcast(&goesOn, sizeof(goesOn));
+  return goesOn != 0;
+}
+
 Result ResultOfFirst(Communicator& ranks, const std::function<Result()>& work)
 {
   Result own = Result::Ok();

@@ -2,6 +2,7 @@
 // Ranks, injected by the caller: those of a vtkMultiProcessController in the wrappers.
 #pragma once
 
+#include "Base/Monitor.h"
 #include "Base/Result.h"
 #include "Base/StateArchive.h"
 
@@ -88,6 +89,9 @@ protected:
 private:
   Communicator& Ranks;
 };
+
+/// Whether work goes on that all ranks do: the first one's monitor is asked. All call it.
+bool GoesOn(Communicator& ranks, Monitor& monitor, double done);
 
 /// What rank 0 alone works out: its result, on all ranks. They wait for it meanwhile, and where
 /// work is left by an exception they get an error.

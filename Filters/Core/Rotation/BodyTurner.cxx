@@ -22,8 +22,7 @@ namespace
 {
 
 constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
-constexpr int AtOnce =
-  32; // bodies a thread of another rank, which asks for more when they are done
+constexpr int AtOnce = 32;       // bodies a thread of another rank, which then asks for more
 
 PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const RotationInput& input)
 {

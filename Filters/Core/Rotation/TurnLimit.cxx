@@ -50,6 +50,14 @@ double Excess(const std::vector<double>& turns, double most)
   return excess;
 }
 
+/// The first frame that turns by more, or -1.
+long FirstBeyond(const std::vector<double>& turns, double most)
+{
+  const auto first =
+    std::find_if(turns.begin(), turns.end(), [most](double turn) { return turn > most * Slack; });
+  return first == turns.end() ? -1 : first - turns.begin();
+}
+
 /// Poses that came with the path are not kept from a little before the first frame that turns by
 /// more: they were flown elsewhere, and a surface turns them. Where some are not kept in any case
 /// the others are who moves the body's.
@@ -60,11 +68,10 @@ void FlyFrom(const AttitudePlan& given, const std::vector<double>& turns, double
   {
     return;
   }
-  const auto first =
-    std::find_if(turns.begin(), turns.end(), [most](double turn) { return turn > most * Slack; });
-  if (first != turns.end())
+  const long first = FirstBeyond(turns, most);
+  if (first >= 0)
   {
-    const long from = std::max<long>(first - turns.begin() - Ramp, 0);
+    const long from = std::max<long>(first - Ramp, 0);
     plan.TurnsFrom = std::min(plan.TurnsFrom, static_cast<int>(from));
   }
 }
@@ -74,15 +81,14 @@ void FlyFrom(const AttitudePlan& given, const std::vector<double>& turns, double
 void LimitFrom(const AttitudeOutcome& outcome, const std::vector<double>& turns, double most,
                FlightPath& path)
 {
-  const auto first =
-    std::find_if(turns.begin(), turns.end(), [most](double turn) { return turn > most * Slack; });
-  if (first == turns.end())
+  const long first = FirstBeyond(turns, most);
+  if (first < 0)
   {
     return;
   }
   const double fastest = most / path.Step;
   const std::vector<Vec3>& rates = outcome.Poses.AngularVelocities;
-  auto frame = static_cast<std::size_t>(std::max<long>(first - turns.begin() - Ramp, 0));
+  auto frame = static_cast<std::size_t>(std::max<long>(first - Ramp, 0));
   while (frame > 0 && rates[frame].norm() > fastest)
   {
     --frame;

@@ -429,9 +429,7 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
   std::vector<std::vector<Vec3>> trial = paths;
   for (int iteration = 0; iteration < maximumIterations; ++iteration)
   {
-    char goesOn = ranks.IsFirst() && monitor.Tick(-1.0, "") ? 1 : 0;
-    ranks.Broadcast(&goesOn, sizeof(goesOn));
-    if (!goesOn)
+    if (!GoesOn(ranks, monitor, -1.0))
     {
       return false;
     }

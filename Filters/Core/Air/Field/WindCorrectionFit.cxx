@@ -180,10 +180,7 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const Parallel
   const double enough = 1e-8 * size;
   for (int iteration = 0; iteration < this->Options.Iterations && size > enough; ++iteration)
   {
-    const double done = static_cast<double>(iteration) / this->Options.Iterations;
-    char goesOn = ranks.IsFirst() && monitor.Tick(done, "") ? 1 : 0;
-    ranks.Broadcast(&goesOn, sizeof(goesOn));
-    if (!goesOn)
+    if (!GoesOn(ranks, monitor, static_cast<double>(iteration) / this->Options.Iterations))
     {
       return false;
     }

@@ -121,7 +121,7 @@ BodyState StateOf(const BodyProblem& body, const std::vector<Vec3>& path)
   return state;
 }
 
-void SetState(BodyState& state, BodyProblem& body, std::vector<Vec3>& path)
+void SetState(BodyState state, BodyProblem& body, std::vector<Vec3>& path)
 {
   if (!state.LandedFreely.empty() && body.FreeLanding() == nullptr)
   {
@@ -220,11 +220,11 @@ Result AirElsewhere::Hear(StateArchive& stream, const ParallelFor& parallel)
   bodies.IsOld = std::move(isOld);
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    SetState(states[o], bodies.Problems[o], bodies.Paths[o]);
     if (!states[o].Slips.empty())
     {
       bodies.Problems[o].SetSlips(states[o].Slips);
     }
+    SetState(std::move(states[o]), bodies.Problems[o], bodies.Paths[o]);
   }
   return Result::Ok();
 }

@@ -34,7 +34,7 @@ struct BodyState
 /// Without slips, which no task changes.
 BodyState StateOf(const BodyProblem& body, const std::vector<Vec3>& path);
 /// A body with the state but for its slips; the path is given.
-void SetState(BodyState& state, BodyProblem& body, std::vector<Vec3>& path);
+void SetState(BodyState state, BodyProblem& body, std::vector<Vec3>& path);
 
 /// For AirElsewhere of all other ranks. What goes with the whole run is told once, an air where it
 /// is another than that they have.

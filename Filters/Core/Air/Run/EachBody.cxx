@@ -16,8 +16,7 @@ namespace
 constexpr int LandingIterations = 24; // of a path that is good but for its end
 // Fewer bodies drift on sooner than the air is sent; their searches take longer.
 constexpr std::size_t FewestToShare = 128;
-constexpr int AtOnce =
-  64; // bodies a thread of another rank, which asks for more when they are done
+constexpr int AtOnce = 64; // bodies a thread of another rank, which then asks for more
 
 void Act(const AirContext& run, const AirSampler& air, BodyTask task, int iterations,
          BodyProblem& body, std::vector<Vec3>& path, Monitor& monitor)
@@ -91,7 +90,7 @@ Result EachBody(const AirContext& run, const HalfSeries& series, BodyTask task, 
   {
     BodyState state;
     result.Values(state);
-    SetState(state, bodies.Problems[o], bodies.Paths[o]);
+    SetState(std::move(state), bodies.Problems[o], bodies.Paths[o]);
     ++done;
   };
   loop.Watch = [&] { goesOn(done); };
