@@ -40,8 +40,14 @@ void vtkSharedWork::Serve(vtkMultiProcessController* controller)
                        { waft::TurningKind, turn } });
 }
 
+void vtkSharedWork::SetProcessesHere(int count)
+{
+  waft::SetProcessesHere(count);
+}
+
 void vtkSharedWork::Release(vtkMultiProcessController* controller)
 {
+  waft::SetProcessesHere(1);
   waft::ControllerCommunicator ranks(controller);
   waft::Release(ranks);
 }

@@ -23,6 +23,9 @@ public:
 
   /** Works for the first process, on each of the others, until that calls Release. */
   static void Serve(vtkMultiProcessController* controller);
+  /** On the first: how many processes of its machine are one run, itself among them (1). It takes
+   *  the threads of the others, as many each as its own, while they have no work of it. */
+  static void SetProcessesHere(int count);
   /** Lets the others go, on the first. */
   static void Release(vtkMultiProcessController* controller);
 

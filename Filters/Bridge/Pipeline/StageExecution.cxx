@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Pipeline/StageExecution.h"
 
+#include "Base/SharedWork.h"
 #include "Bridge/Pipeline/Upstream.h"
 
 #include <vtkAlgorithm.h>
@@ -12,6 +13,7 @@
 #include <vtkVersionMacros.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -28,6 +30,7 @@ namespace
 {
 
 const pid_t LoadedBy = getpid(); // a fork of it has none of the threads that VTK 9.3 keeps
+std::atomic<int> ProcessesHere{ 1 };
 
 std::vector<vtkMTimeType> CurrentSignature(vtkAlgorithm* stage, vtkInformationVector** inputs)
 {
@@ -84,6 +87,11 @@ bool StageMonitor::Tick(double fraction, const std::string& text)
   return !this->IsStopped;
 }
 
+void SetProcessesHere(int count)
+{
+  ProcessesHere = std::max(1, count);
+}
+
 ParallelFor SmpFor()
 {
   if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
@@ -98,9 +106,12 @@ ParallelFor SmpFor()
                      [&](vtkIdType begin, vtkIdType end)
                      { body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
   };
-  if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
+  const bool isThreaded = std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0;
+  if (isThreaded || ProcessesHere > 1)
   {
-    loop = ThreadedFor(vtkSMPTools::GetEstimatedNumberOfThreads()); // VTK's begin with each loop
+    // VTK's begin with each loop.
+    const int own = isThreaded ? vtkSMPTools::GetEstimatedNumberOfThreads() : 1;
+    loop = ThreadedFor([own] { return OthersWork() ? own : own * ProcessesHere; });
   }
   return [loop](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
   {

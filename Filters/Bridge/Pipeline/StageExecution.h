@@ -62,7 +62,11 @@ private:
 /// vtkSMPTools; the first exception of a body reaches the caller. Debian's VTK runs one thread
 /// unless told otherwise: when nobody chose a backend (by VTK_SMP_BACKEND_IN_USE or
 /// vtkSMPTools::SetBackend), STDThread is taken, but in a fork of the process that loaded this.
+/// Where processes of this machine work for this one it takes their threads while they sleep.
 ParallelFor SmpFor();
+/// How many processes of this machine are one run, whose first one this is: 1 unless it is told.
+/// Each has as many threads as this one.
+void SetProcessesHere(int count);
 
 /// Knows whether a kept result still belongs to the parameters of its stage and to what comes in:
 /// the stage's own MTime and each input's pipeline MTime, never the MTime of the data, which

@@ -104,10 +104,15 @@ private:
 
 ParallelFor ThreadedFor(int numberOfThreads)
 {
+  return ThreadedFor([numberOfThreads] { return numberOfThreads; });
+}
+
+ParallelFor ThreadedFor(const std::function<int()>& numberOfThreads)
+{
   static ThreadPool* const pool = new ThreadPool; // its threads may outlive whatever would end it
-  const auto threads = static_cast<std::size_t>(std::max(1, numberOfThreads));
-  return [threads](std::size_t count, const ThreadPool::Body& body)
+  return [numberOfThreads](std::size_t count, const ThreadPool::Body& body)
   {
+    const auto threads = static_cast<std::size_t>(std::max(1, numberOfThreads()));
     if (count > 0 && (threads == 1 || count == 1 || !pool->Run(threads, count, body)))
     {
       body(0, count);

@@ -28,5 +28,7 @@ inline ParallelFor SerialFor()
 /// A ParallelFor of std::threads that stay for the next loop. A loop within a loop, or beside that
 /// of another thread, is serial.
 ParallelFor ThreadedFor(int numberOfThreads);
+/// The same by as many threads as there are when a loop begins.
+ParallelFor ThreadedFor(const std::function<int()>& numberOfThreads);
 
 } // namespace waft

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/SharedWork.h"
 
+#include <atomic>
 #include <exception>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace
 {
 
 using Word = WorkMessage::Word;
+
+std::atomic<int> JobsOfOthers{ 0 };
 
 void Say(Communicator& ranks, int rank, Word word, std::int64_t item = 0, std::size_t size = 0)
 {
@@ -56,6 +59,7 @@ Result Work(Communicator& ranks, const WorkMessage& job, const WorkKinds& kinds,
 WorkSharing::WorkSharing(Communicator& ranks, const std::string& kind, const MemoryStream& inputs) :
   Ranks(ranks), Wanted(static_cast<std::size_t>(ranks.Size()), 0)
 {
+  JobsOfOthers += ranks.Size() > 1 ? 1 : 0;
   for (int r = 1; r < ranks.Size(); ++r)
   {
     Say(ranks, r, Word::Job, static_cast<std::int64_t>(kind.size()), inputs.Content.size());
@@ -77,6 +81,12 @@ WorkSharing::~WorkSharing()
       // What it said before it heard that all is over.
     }
   }
+  JobsOfOthers -= this->Ranks.Size() > 1 ? 1 : 0;
+}
+
+bool OthersWork()
+{
+  return JobsOfOthers > 0;
 }
 
 Result WorkSharing::Look(const std::function<std::vector<std::int64_t>(std::int64_t most)>& next,

@@ -64,6 +64,10 @@ private:
   int NumberAway = 0;
 };
 
+/// Whether other ranks are at a job of this one, which is rank 0. Else they sleep, and their cores
+/// are free.
+bool OthersWork();
+
 /// What came of an item.
 struct ItemResult
 {

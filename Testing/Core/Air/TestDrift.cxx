@@ -132,8 +132,8 @@ TEST_P(BandedMatrixOf, FourSideBySideAreTheSameBitsAsEachAlone)
   Random random(5);
   Banded<FourDoubles> four(n, band);
   std::vector<BandedMatrix> alone(4, BandedMatrix(n, band));
-  std::vector<FourDoubles> x(n), image;
-  std::vector<std::vector<double>> own(4, std::vector<double>(n)), images(4);
+  std::vector<FourDoubles> x(n);
+  std::vector<std::vector<double>> own(4, std::vector<double>(n));
   for (std::size_t i = 0; i < n; ++i)
   {
     for (std::size_t b = 0; b < 4; ++b)
@@ -147,17 +147,14 @@ TEST_P(BandedMatrixOf, FourSideBySideAreTheSameBitsAsEachAlone)
       x[i].Of[b] = own[b][i] = random.Normal();
     }
   }
-  four.Multiply(x, image);
   ASSERT_TRUE(four.Factor());
   four.Solve(x);
   for (std::size_t b = 0; b < 4; ++b)
   {
-    alone[b].Multiply(own[b], images[b]);
     ASSERT_TRUE(alone[b].Factor());
     alone[b].Solve(own[b]);
     for (std::size_t i = 0; i < n; ++i)
     {
-      EXPECT_EQ(image[i].Of[b], images[b][i]) << b << " " << i;
       EXPECT_EQ(x[i].Of[b], own[b][i]) << b << " " << i;
     }
   }

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -28,6 +30,38 @@ TEST(Parallel, CoversEachIndexOnce)
       EXPECT_EQ(times, std::vector<int>(count, 50)) << threads << " threads";
     }
   }
+}
+
+// That so many run side by side: each waits for the others.
+bool AreTogether(const ParallelFor& loop, int threads)
+{
+  using namespace std::chrono_literals;
+  std::atomic<int> there{ 0 };
+  std::atomic<bool> isLate{ false };
+  loop(static_cast<std::size_t>(threads),
+       [&](std::size_t begin, std::size_t end)
+       {
+         there += static_cast<int>(end - begin);
+         const auto late = std::chrono::steady_clock::now() + 20s;
+         while (there < threads && !isLate)
+         {
+           isLate = std::chrono::steady_clock::now() > late || end - begin > 1;
+           std::this_thread::yield();
+         }
+       });
+  return !isLate;
+}
+
+TEST(Parallel, TakesAsManyThreadsAsThereAreWhenALoopBegins)
+{
+  int threads = 2;
+  const ParallelFor loop = ThreadedFor([&threads] { return threads; });
+  EXPECT_TRUE(AreTogether(loop, 2));
+  threads = 4;
+  EXPECT_TRUE(AreTogether(loop, 4));
+  threads = 1;
+  const std::thread::id own = std::this_thread::get_id();
+  loop(8, [&](std::size_t, std::size_t) { EXPECT_EQ(std::this_thread::get_id(), own); });
 }
 
 TEST(Parallel, CoversALoopWithinALoop)

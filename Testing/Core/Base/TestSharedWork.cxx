@@ -138,6 +138,23 @@ TEST(SharedWork, ComesTogetherFromAnyNumberOfRanks)
   }
 }
 
+TEST(SharedWork, TellsWhetherOthersWork)
+{
+  const MemoryStream nothing;
+  const auto isTold = [&](Communicator& ranks)
+  {
+    EXPECT_FALSE(OthersWork());
+    {
+      const WorkSharing others(ranks, "squares", nothing);
+      EXPECT_EQ(OthersWork(), ranks.Size() > 1);
+    }
+    EXPECT_FALSE(OthersWork());
+    return std::vector<Gathered>();
+  };
+  OnRanks(1, isTold);
+  OnRanks(3, isTold);
+}
+
 TEST(SharedWork, EndsBeforeAllIsDone)
 {
   // The ranks that still have items, or have announced results, are left free for the next job.

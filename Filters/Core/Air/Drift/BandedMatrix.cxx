@@ -184,44 +184,6 @@ WAFT_SIMD_CLONES void SolveUpUsual(const Double4* values, std::size_t size, Doub
   SolveLast(values, size, b);
 }
 
-// From the row `UsualBand` on; y has what the rows before give. What a row adds to those before it
-// stays in registers until it is whole.
-template <class Value>
-WAFT_INLINE void MultiplyRows(const Value* values, std::size_t size, const Value* x, Value* y)
-{
-  std::array<Value, UsualBand> sums; // [0]: of the row `UsualBand` before
-  std::copy_n(y, UsualBand, sums.begin());
-  for (std::size_t i = UsualBand; i < size; ++i)
-  {
-    const Value* row = values + i * (UsualBand + 1);
-    const Value here = x[i];
-    Value own = row[UsualBand] * here;
-    for (std::size_t d = 0; d < UsualBand; ++d)
-    {
-      own += row[d] * x[i - UsualBand + d];
-    }
-    y[i - UsualBand] = sums[0] + row[0] * here;
-    for (std::size_t d = 1; d < UsualBand; ++d)
-    {
-      sums[d - 1] = sums[d] + row[d] * here;
-    }
-    sums[UsualBand - 1] = own;
-  }
-  std::copy(sums.begin(), sums.end(), y + size - UsualBand);
-}
-
-WAFT_SIMD_CLONES void MultiplyUsual(const double* values, std::size_t size, const double* x,
-                                    double* y)
-{
-  MultiplyRows(values, size, x, y);
-}
-
-WAFT_SIMD_CLONES void MultiplyUsual(const Double4* values, std::size_t size, const Double4* x,
-                                    Double4* y)
-{
-  MultiplyRows(values, size, x, y);
-}
-
 } // namespace
 
 template <class Value>
@@ -238,33 +200,6 @@ bool Banded<Value>::Factor()
     }
   }
   return EliminateAny(Lanes(this->Values.data()), band, done, this->N);
-}
-
-template <class Value>
-void Banded<Value>::Multiply(const std::vector<Value>& x, std::vector<Value>& y) const
-{
-  const std::size_t band = this->HalfBand();
-  const bool isUsual = band == UsualBand && this->N > band;
-  const std::size_t rows = isUsual ? band : this->N; // the others are written once
-  y.resize(this->N);
-  std::fill_n(y.begin(), rows, Value{});
-  const auto* from = Lanes(x.data());
-  auto* to = Lanes(y.data());
-  for (std::size_t i = 0; i < rows; ++i)
-  {
-    const auto* diagonal = Lanes(this->Values.data()) + i * this->Width + band;
-    auto sum = *diagonal * from[i];
-    for (std::size_t d = std::min(band, i); d > 0; --d)
-    {
-      sum += *(diagonal - d) * from[i - d];
-      to[i - d] += *(diagonal - d) * from[i];
-    }
-    to[i] += sum;
-  }
-  if (isUsual)
-  {
-    MultiplyUsual(Lanes(this->Values.data()), this->N, from, to);
-  }
 }
 
 template <class Value>

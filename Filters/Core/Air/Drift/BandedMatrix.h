@@ -54,8 +54,6 @@ public:
   Value& At(std::size_t i, std::size_t j) { return this->Values[this->Place(i, j)]; }
   const Value& At(std::size_t i, std::size_t j) const { return this->Values[this->Place(i, j)]; }
 
-  /// y = this x, before it is factored.
-  void Multiply(const std::vector<Value>& x, std::vector<Value>& y) const;
   /// In place; false where the matrix, or one of them, is not positive definite.
   bool Factor();
   /// Of the factors, in place.

@@ -5,7 +5,6 @@
 #include "Air/Drift/FourDrifts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 
@@ -14,40 +13,35 @@ namespace waft
 namespace
 {
 
-constexpr std::size_t MostFactors = 2048; // that are kept, of bodies: 130 MB at 300 frames
-constexpr int MostGradients = 24;         // conjugate ones, of a step
+constexpr int MostGradients = 24;     // conjugate ones, of a step
 constexpr double StepAccuracy = 5e-2; // of the right hand side's norm, in which a step is solved
 constexpr double SamePlace = 1e-9;    // m: bodies nearer than this have no direction to part in
 
+/// Two that are nearer to each other than they keep.
 struct Push
 {
-  Vec3 Normal = Vec3::UnitZ(); // from B to A
+  std::uint32_t Frame = 0, A = 0, B = 0; // bodies
+  Vec3 Normal = Vec3::UnitZ();           // from B to A
   double Depth = 0.0;
 };
 
-Push PushOf(const DriftContact& contact, const std::vector<std::vector<Vec3>>& paths)
+/// False: they are not.
+bool FindPush(const DriftContact& contact, const std::vector<std::vector<Vec3>>& paths, Push& push)
 {
   const auto f = static_cast<std::size_t>(contact.Frame);
   const Vec3 apart = paths[contact.A][f] - paths[contact.B][f];
   const double distance = apart.norm();
-  Push push;
+  push = { static_cast<std::uint32_t>(contact.Frame), contact.A, contact.B };
   push.Depth = contact.Kept - distance;
   if (distance > SamePlace)
   {
     push.Normal = apart / distance;
   }
-  return push;
+  return push.Depth > 0.0;
 }
 
-/// A contact of one of a rank's own bodies with one of another rank.
-struct Crossing
-{
-  std::uint32_t Contact, Own; // Own: among those that move
-  std::uint32_t Rank;         // the other's
-};
-
-// All equations of the bodies that move, and the contacts between them. Bodies are four side by
-// side, sums over them in their order; each rank has the equations of its own.
+// All equations of the bodies that move, and what pushes them apart. Bodies are four side by side,
+// sums over them in their order; each rank has the equations of its own.
 class TogetherEquations
 {
 public:
@@ -56,14 +50,13 @@ public:
                     const ParallelFor& parallel, Communicator& ranks) :
     Bodies(bodies),
     Contacts(contacts), Air(air), Weight(weight), Parallel(parallel), Ranks(ranks),
-    Pushing(static_cast<std::size_t>(ranks.Size()))
+    Places(bodies.size(), Nobody), Crossings(static_cast<std::size_t>(ranks.Size()))
   {
-    std::vector<std::size_t> place(bodies.size(), Nobody);
     for (std::size_t o = 0; o < bodies.size(); ++o)
     {
       if (bodies[o].Problem)
       {
-        place[o] = this->Moving.size();
+        this->Places[o] = static_cast<std::uint32_t>(this->Size());
         this->Moving.push_back(o);
       }
     }
@@ -74,9 +67,7 @@ public:
     }
     this->First = this->RankBegins[static_cast<std::size_t>(ranks.Rank())];
     this->End = this->RankBegins[static_cast<std::size_t>(ranks.Rank()) + 1];
-    this->ListTouches(place);
-    this->Pulls.resize(this->OwnSize());
-    this->Depths.resize(contacts.size());
+    this->Begins.resize(this->OwnSize() + 1);
     for (std::size_t m = this->First; m < this->End; m += FourDrifts::Count)
     {
       std::size_t halfBand = 0;
@@ -84,43 +75,31 @@ public:
       {
         halfBand = std::max(halfBand, DriftEquations::HalfBandOf(this->ProblemOf(k)));
       }
-      this->Fours.emplace_back(this->ProblemOf(m).IsFixed.size(), halfBand,
-                               this->Size() <= MostFactors);
+      this->Fours.emplace_back(this->ProblemOf(m).IsFixed.size(), halfBand);
     }
-  }
-
-  double Cost(const std::vector<std::vector<Vec3>>& paths)
-  {
-    std::vector<double> costs(this->Size());
-    this->Each(this->OwnSize(),
-               [&](std::size_t k)
-               {
-                 const TogetherBody& body = this->Bodies[this->Moving[this->First + k]];
-                 DriftResiduals residuals(*body.Problem, this->Air, body.Weights);
-                 costs[this->First + k] = residuals.Cost(paths[this->Moving[this->First + k]]);
-               });
-    return this->SumOfRanks(costs) + this->PushesCost(paths);
-  }
-
-  /// About the paths.
-  void Linearise(const std::vector<std::vector<Vec3>>& paths)
-  {
-    this->Each(this->OwnSize(), [&](std::size_t k) { this->Linearise(this->First + k, paths); });
-    for (std::vector<std::uint32_t>& pushing : this->Pushing)
+    for (std::size_t c = 0; c < contacts.size(); ++c)
     {
-      pushing.clear();
-    }
-    for (std::size_t c = 0; c < this->Crossings.size(); ++c)
-    {
-      if (PushOf(this->Contacts[this->Crossings[c].Contact], paths).Depth > 0.0)
+      if (c == 0 || contacts[c].Frame != contacts[c - 1].Frame)
       {
-        this->Pushing[this->Crossings[c].Rank].push_back(static_cast<std::uint32_t>(c));
+        this->FrameBegins.push_back(c);
       }
     }
+    this->FrameBegins.push_back(contacts.size());
+  }
+
+  /// About the paths; their cost.
+  double Linearise(const std::vector<std::vector<Vec3>>& paths)
+  {
+    const double pushes = this->FindPushes(paths);
+    this->ListPulls();
+    std::vector<double> costs(this->Size());
+    this->Each(this->OwnSize(), [&](std::size_t k)
+               { costs[this->First + k] = this->Linearise(this->First + k, paths); });
+    return this->SumOfRanks(costs) + pushes;
   }
 
   /// The step of Levenberg's method, and by how much it should lower the cost; false: the equations
-  /// of a body cannot be solved.
+  /// of a body cannot be solved. They are used up by it.
   bool FindStep(double damping, double& promised)
   {
     std::vector<char> isFactored(this->Fours.size());
@@ -166,16 +145,19 @@ public:
 
 private:
   static constexpr std::uint32_t Nobody = ~std::uint32_t(0);
-  struct Touch // of a body at a frame at which it may move
+  /// What pushes a body that moves at a frame.
+  struct Pull
   {
-    /// Other: among those that move; beyond these, the crossing to it; Nobody: it gives way by
-    /// itself.
-    std::uint32_t Contact, Other;
-  };
-  struct Pull // of another that moves
-  {
+    /// Other: among those that move; beyond these, where its direction is among Theirs; Nobody: it
+    /// gives way by itself.
     std::uint32_t Frame, Other;
-    Vec3 Normal;
+    Vec3 Normal; // the way that it is pushed
+    double Depth;
+  };
+  /// A body of this rank, at a frame at which it is pushed from one of another rank.
+  struct Crossing
+  {
+    std::uint32_t Own, Frame; // Own: among those that move
   };
 
   std::size_t Size() const { return this->Moving.size(); }
@@ -185,9 +167,11 @@ private:
   {
     return *this->Bodies[this->Moving[m]].Problem;
   }
-  bool IsFixed(std::size_t m, int frame) const
+  /// A body among those that move, where it may do so at a frame.
+  std::uint32_t PlaceAt(std::uint32_t body, std::uint32_t frame) const
   {
-    return this->ProblemOf(m).IsFixed[static_cast<std::size_t>(frame)] != 0;
+    const std::uint32_t m = this->Places[body];
+    return m != Nobody && !this->ProblemOf(m).IsFixed[frame] ? m : Nobody;
   }
   std::size_t RankOf(std::size_t m) const
   {
@@ -195,46 +179,87 @@ private:
     return static_cast<std::size_t>(after - this->RankBegins.begin()) - 1;
   }
 
-  /// place: of each body among those that move.
-  void ListTouches(const std::vector<std::size_t>& place)
+  /// Of the paths, frame by frame; what they cost.
+  double FindPushes(const std::vector<std::vector<Vec3>>& paths)
   {
-    // Counted, then written where they belong: of millions no list grows.
-    this->Begins.assign(this->OwnSize() + 1, 0);
-    const auto eachTouch = [&](const auto& act)
+    const std::size_t frames = this->FrameBegins.size() - 1;
+    this->Pushes.resize(frames);
+    std::vector<double> costs(frames, 0.0);
+    this->Each(frames,
+               [&](std::size_t f)
+               {
+                 std::vector<Push>& pushes = this->Pushes[f];
+                 pushes.clear();
+                 Push push;
+                 for (std::size_t c = this->FrameBegins[f]; c < this->FrameBegins[f + 1]; ++c)
+                 {
+                   if (FindPush(this->Contacts[c], paths, push))
+                   {
+                     costs[f] += 0.5 * this->Weight * push.Depth * push.Depth;
+                     pushes.push_back(push);
+                   }
+                 }
+               });
+    return std::accumulate(costs.begin(), costs.end(), 0.0);
+  }
+
+  /// Those of each own body that the pushes make.
+  void ListPulls()
+  {
+    const auto eachPull = [this](const auto& act)
     {
-      for (std::size_t k = 0; k < this->Contacts.size(); ++k)
+      for (const std::vector<Push>& pushes : this->Pushes)
       {
-        const DriftContact& contact = this->Contacts[k];
-        for (const std::size_t o : { contact.A, contact.B })
+        for (const Push& push : pushes)
         {
-          const std::size_t m = place[o];
-          if (m != Nobody && this->IsOwn(m) && !this->IsFixed(m, contact.Frame))
+          const std::uint32_t a = this->PlaceAt(push.A, push.Frame);
+          const std::uint32_t b = this->PlaceAt(push.B, push.Frame);
+          if (a != Nobody && this->IsOwn(a))
           {
-            const std::size_t other = place[o == contact.A ? contact.B : contact.A];
-            const bool isPair = other != Nobody && !this->IsFixed(other, contact.Frame);
-            act(k, m, isPair ? other : Nobody);
+            act(push, a, b, push.Normal);
+          }
+          if (b != Nobody && this->IsOwn(b))
+          {
+            act(push, b, a, Vec3(-push.Normal));
           }
         }
       }
     };
-    eachTouch([this](std::size_t, std::size_t m, std::size_t)
-              { ++this->Begins[m - this->First + 1]; });
-    std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
-    this->Touches.resize(this->Begins.back());
-    std::vector<std::size_t> next = this->Begins;
-    eachTouch(
-      [&](std::size_t k, std::size_t m, std::size_t other)
+    // Counted, then written where they belong: of many no list grows.
+    std::fill(this->Begins.begin(), this->Begins.end(), 0);
+    for (std::vector<Crossing>& crossings : this->Crossings)
+    {
+      crossings.clear();
+    }
+    eachPull(
+      [this](const Push& push, std::uint32_t own, std::uint32_t other, const Vec3&)
       {
-        Touch touch{ static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(other) };
+        ++this->Begins[own - this->First + 1];
         if (other != Nobody && !this->IsOwn(other))
         {
-          touch.Other = static_cast<std::uint32_t>(this->Size() + this->Crossings.size());
-          this->Crossings.push_back({ touch.Contact, static_cast<std::uint32_t>(m),
-                                      static_cast<std::uint32_t>(this->RankOf(other)) });
+          this->Crossings[this->RankOf(other)].push_back({ own, push.Frame });
         }
-        this->Touches[next[m - this->First]++] = touch;
       });
-    this->Theirs.resize(this->Crossings.size());
+    std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
+    std::vector<std::size_t> theirs; // by rank: the next of its directions
+    std::size_t crossing = 0;
+    for (const std::vector<Crossing>& crossings : this->Crossings)
+    {
+      theirs.push_back(this->Size() + crossing);
+      crossing += crossings.size();
+    }
+    this->Theirs.resize(crossing);
+    this->Pulls.resize(this->Begins.back());
+    std::vector<std::size_t> next = this->Begins;
+    eachPull(
+      [&](const Push& push, std::uint32_t own, std::uint32_t other, const Vec3& normal)
+      {
+        if (other != Nobody && !this->IsOwn(other))
+        {
+          other = static_cast<std::uint32_t>(theirs[this->RankOf(other)]++);
+        }
+        this->Pulls[next[own - this->First]++] = { push.Frame, other, normal, push.Depth };
+      });
   }
 
   template <class Work>
@@ -270,29 +295,26 @@ private:
     return std::accumulate(sums.begin(), sums.end(), 0.0);
   }
 
-  /// The directions of bodies whose contacts with another rank's push: both have them in the order
-  /// of contacts.
+  /// The directions of bodies that are pushed from those of another rank: both have them in the
+  /// order of the pushes.
   void SwapDirections()
   {
+    Vec3* theirs = this->Theirs.data();
     for (int r = 0; r < this->Ranks.Size(); ++r)
     {
-      const std::vector<std::uint32_t>& pushing = this->Pushing[static_cast<std::size_t>(r)];
-      if (pushing.empty())
+      const std::vector<Crossing>& crossings = this->Crossings[static_cast<std::size_t>(r)];
+      if (crossings.empty())
       {
         continue; // on both
       }
-      std::vector<Vec3> own, theirs(pushing.size());
-      for (const std::uint32_t c : pushing)
+      std::vector<Vec3> own;
+      for (const Crossing& crossing : crossings)
       {
-        const int frame = this->Contacts[this->Crossings[c].Contact].Frame;
-        own.push_back(this->DirectionOf(this->Crossings[c].Own, static_cast<std::size_t>(frame)));
+        own.push_back(this->DirectionOf(crossing.Own, crossing.Frame));
       }
       const std::size_t size = sizeof(Vec3) * own.size();
-      this->Ranks.SendReceive(r, own.data(), size, theirs.data(), size);
-      for (std::size_t k = 0; k < theirs.size(); ++k)
-      {
-        this->Theirs[pushing[k]] = theirs[k];
-      }
+      this->Ranks.SendReceive(r, own.data(), size, theirs, size);
+      theirs += own.size();
     }
   }
 
@@ -317,44 +339,20 @@ private:
     }
   }
 
-  /// Of the contacts.
-  double PushesCost(const std::vector<std::vector<Vec3>>& paths)
-  {
-    this->Each(this->Contacts.size(),
-               [&](std::size_t k) { this->Depths[k] = PushOf(this->Contacts[k], paths).Depth; });
-    double cost = 0.0;
-    for (const double depth : this->Depths)
-    {
-      cost += depth > 0.0 ? 0.5 * this->Weight * depth * depth : 0.0;
-    }
-    return cost;
-  }
-
-  void Linearise(std::size_t m, const std::vector<std::vector<Vec3>>& paths)
+  double Linearise(std::size_t m, const std::vector<std::vector<Vec3>>& paths)
   {
     const std::size_t o = this->Moving[m];
     const std::size_t own = m - this->First;
     DriftEquations equations(this->ProblemOf(m), this->Air, this->Bodies[o].Weights);
     equations.LookAt(paths[o]);
-    (void)equations.Linearise();
-    this->Pulls[own].clear();
-    for (std::size_t t = this->Begins[own]; t < this->Begins[own + 1]; ++t)
+    const double cost = equations.Linearise();
+    for (std::size_t p = this->Begins[own]; p < this->Begins[own + 1]; ++p)
     {
-      const Touch& touch = this->Touches[t];
-      const DriftContact& contact = this->Contacts[touch.Contact];
-      const Push push = PushOf(contact, paths);
-      if (push.Depth > 0.0)
-      {
-        equations.AddPush(contact.Frame, contact.A == o ? push.Normal : Vec3(-push.Normal),
-                          push.Depth, this->Weight);
-        if (touch.Other != Nobody)
-        {
-          this->Pulls[own].push_back(
-            { static_cast<std::uint32_t>(contact.Frame), touch.Other, push.Normal });
-        }
-      }
+      const Pull& pull = this->Pulls[p];
+      equations.AddPush(static_cast<int>(pull.Frame), pull.Normal, pull.Depth, this->Weight);
     }
     this->Fours[own / FourDrifts::Count].Set(own % FourDrifts::Count, equations);
+    return cost;
   }
 
   /// Of an own body.
@@ -370,8 +368,13 @@ private:
     const auto first = FourDrifts::Count * static_cast<std::size_t>(&four - this->Fours.data());
     for (std::size_t own = first; own < std::min(first + FourDrifts::Count, this->OwnSize()); ++own)
     {
-      for (const Pull& pull : this->Pulls[own])
+      for (std::size_t p = this->Begins[own]; p < this->Begins[own + 1]; ++p)
       {
+        const Pull& pull = this->Pulls[p];
+        if (pull.Other == Nobody)
+        {
+          continue;
+        }
         const Vec3 along = pull.Other < this->Size() ? this->DirectionOf(pull.Other, pull.Frame)
                                                      : this->Theirs[pull.Other - this->Size()];
         four.Subtract(own % FourDrifts::Count, pull.Frame, pull.Normal,
@@ -382,23 +385,23 @@ private:
   }
 
   const std::vector<TogetherBody>& Bodies;
-  const std::vector<DriftContact>& Contacts;
+  const std::vector<DriftContact>& Contacts; // frame by frame
   const AirSampler& Air;
   double Weight;
   const ParallelFor& Parallel;
   Communicator& Ranks;
-  std::vector<std::size_t> Moving;     // bodies
-  std::vector<std::size_t> RankBegins; // among these, of each rank, and the end
-  std::size_t First = 0, End = 0;      // this rank's own
-  std::vector<FourDrifts> Fours;       // the equations of these
-  std::vector<std::size_t> Begins;     // of the touches of each, and the end
-  std::vector<Touch> Touches;
-  std::vector<Crossing> Crossings;
-  std::vector<std::vector<std::uint32_t>>
-    Pushing;                            // crossings about the paths of the equations, by rank
-  std::vector<Vec3> Theirs;             // by crossing: the direction there
-  std::vector<std::vector<Pull>> Pulls; // of each, about the paths of the equations
-  std::vector<double> Depths;           // by contact
+  std::vector<std::size_t> Moving;      // bodies
+  std::vector<std::uint32_t> Places;    // of each body among these
+  std::vector<std::size_t> RankBegins;  // among these, of each rank, and the end
+  std::size_t First = 0, End = 0;       // this rank's own
+  std::vector<FourDrifts> Fours;        // the equations of these
+  std::vector<std::size_t> FrameBegins; // of the contacts of a frame, and the end
+  // About the paths of the equations:
+  std::vector<std::vector<Push>> Pushes;        // by frame that has contacts
+  std::vector<std::size_t> Begins;              // of the pulls of each own body, and the end
+  std::vector<Pull> Pulls;                      // of these
+  std::vector<std::vector<Crossing>> Crossings; // by rank
+  std::vector<Vec3> Theirs;                     // the directions there, rank by rank
 };
 
 } // namespace
@@ -424,8 +427,7 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
   }
   TogetherEquations equations(bodies, contacts, air, weight, parallel, ranks);
   DriftDamping damping(*time);
-  double cost = equations.Cost(paths);
-  equations.Linearise(paths);
+  double cost = equations.Linearise(paths);
   std::vector<std::vector<Vec3>> trial = paths;
   for (int iteration = 0; iteration < maximumIterations; ++iteration)
   {
@@ -438,7 +440,7 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
     if (equations.FindStep(damping.Value, promised))
     {
       equations.Move(paths, trial);
-      next = equations.Cost(trial);
+      next = equations.Linearise(trial);
     }
     if (!(next < cost))
     {
@@ -446,6 +448,7 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
       {
         return true;
       }
+      (void)equations.Linearise(paths);
       continue;
     }
     const bool isConverged = DriftDamping::IsConverged(cost, next);
@@ -456,7 +459,6 @@ bool SolveTogether(const std::vector<TogetherBody>& bodies,
     {
       return true;
     }
-    equations.Linearise(paths);
   }
   return true;
 }
@@ -469,13 +471,16 @@ std::vector<std::vector<double>> ContactResidue(const std::vector<DriftContact>&
   {
     residue.emplace_back(path.size(), 0.0);
   }
+  Push push;
   for (const DriftContact& contact : contacts)
   {
-    const double depth = PushOf(contact, paths).Depth;
-    for (const std::size_t o : { contact.A, contact.B })
+    if (FindPush(contact, paths, push))
     {
-      double& most = residue[o][static_cast<std::size_t>(contact.Frame)];
-      most = std::max(most, depth);
+      for (const std::size_t o : { push.A, push.B })
+      {
+        double& most = residue[o][push.Frame];
+        most = std::max(most, push.Depth);
+      }
     }
   }
   return residue;

@@ -27,14 +27,6 @@ WAFT_SIMD_CLONES void Dot(const Double4* a, const Double4* b, std::size_t count,
   Store(sum, sums);
 }
 
-WAFT_SIMD_CLONES void AddDamped(const Double4* x, double damping, std::size_t count, Double4* y)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    y[i] += damping * x[i];
-  }
-}
-
 WAFT_SIMD_CLONES void TurnTo(const Double4* solved, double part, std::size_t count, Double4* along)
 {
   for (std::size_t i = 0; i < count; ++i)
@@ -70,9 +62,9 @@ WAFT_SIMD_CLONES void PromiseOfEach(const Double4* step, const Double4* descent,
 
 } // namespace
 
-FourDrifts::FourDrifts(std::size_t frames, std::size_t halfBand, bool keepsFactors) :
-  KeepsFactors(keepsFactors), Matrix(3 * frames, halfBand), Factors(0, 0), IsFree(frames),
-  Descent(3 * frames), Step(3 * frames), Rest(3 * frames), Along(3 * frames), Image(3 * frames)
+FourDrifts::FourDrifts(std::size_t frames, std::size_t halfBand) :
+  Matrix(3 * frames, halfBand), IsFree(frames), Descent(3 * frames), Step(3 * frames),
+  Rest(3 * frames), Along(3 * frames), Product(3 * frames), Image(3 * frames)
 {
 }
 
@@ -101,32 +93,22 @@ void FourDrifts::Set(std::size_t body, const DriftEquations& equations)
 bool FourDrifts::Factor(double damping)
 {
   this->Damping = damping;
-  if (this->KeepsFactors)
+  for (std::size_t i = 0; i < this->Matrix.Size(); ++i)
   {
-    return this->Factor(this->Factors);
-  }
-  Banded<FourDoubles> factors(0, 0);
-  return this->Factor(factors);
-}
-
-bool FourDrifts::Factor(Banded<FourDoubles>& factors) const
-{
-  factors = this->Matrix;
-  for (std::size_t i = 0; i < factors.Size(); ++i)
-  {
-    FourDoubles& diagonal = factors.At(i, i);
+    FourDoubles& diagonal = this->Matrix.At(i, i);
     for (std::size_t b = 0; b < Count; ++b)
     {
-      diagonal.Of[b] = this->IsFree[i / 3][b] ? diagonal.Of[b] + this->Damping : 1.0;
+      diagonal.Of[b] = this->IsFree[i / 3][b] ? diagonal.Of[b] + damping : 1.0;
     }
   }
-  return factors.Factor();
+  return this->Matrix.Factor();
 }
 
 Sums FourDrifts::Begin()
 {
   std::fill(this->Step.begin(), this->Step.end(), FourDoubles{});
   std::fill(this->Along.begin(), this->Along.end(), FourDoubles{});
+  std::fill(this->Product.begin(), this->Product.end(), FourDoubles{});
   this->Rest = this->Descent;
   Sums sums;
   Dot(Lanes(this->Rest.data()), Lanes(this->Rest.data()), this->Rest.size(), sums);
@@ -136,16 +118,7 @@ Sums FourDrifts::Begin()
 Sums FourDrifts::Solve()
 {
   this->Image = this->Rest;
-  if (this->KeepsFactors)
-  {
-    this->Factors.Solve(this->Image);
-  }
-  else
-  {
-    Banded<FourDoubles> factors(0, 0);
-    (void)this->Factor(factors); // which it has done before
-    factors.Solve(this->Image);
-  }
+  this->Matrix.Solve(this->Image);
   Sums sums;
   Dot(Lanes(this->Rest.data()), Lanes(this->Image.data()), this->Rest.size(), sums);
   return sums;
@@ -154,13 +127,7 @@ Sums FourDrifts::Solve()
 void FourDrifts::Turn(double part)
 {
   TurnTo(Lanes(this->Image.data()), part, this->Image.size(), Lanes(this->Along.data()));
-}
-
-void FourDrifts::Multiply()
-{
-  this->Matrix.Multiply(this->Along, this->Image);
-  AddDamped(Lanes(this->Along.data()), this->Damping, this->Along.size(),
-            Lanes(this->Image.data()));
+  TurnTo(Lanes(this->Rest.data()), part, this->Rest.size(), Lanes(this->Product.data()));
 }
 
 void FourDrifts::Subtract(std::size_t body, std::size_t frame, const Vec3& normal, double along)

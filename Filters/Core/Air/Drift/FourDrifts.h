@@ -20,13 +20,13 @@ public:
   static constexpr std::size_t Count = 4;
   using Sums = std::array<double, Count>; // one a body
 
-  /// Of bodies of as many frames; halfBand: the widest of theirs. keepsFactors: else they are found
-  /// anew for each Solve, which takes longer and half the memory.
-  FourDrifts(std::size_t frames, std::size_t halfBand, bool keepsFactors);
+  /// Of bodies of as many frames; halfBand: the widest of theirs.
+  FourDrifts(std::size_t frames, std::size_t halfBand);
 
   /// The equations of one as they are now; those of others may be set by other threads meanwhile.
   void Set(std::size_t body, const DriftEquations& equations);
-  /// Of the matrices with a damping on their diagonals; false where one is not positive definite.
+  /// The matrices with a damping on their diagonals, in place: they are set anew before the next
+  /// time. False where one is not positive definite.
   bool Factor(double damping);
 
   /// From a step of zero; the squares of what is left.
@@ -35,8 +35,9 @@ public:
   Sums Solve();
   /// The direction: what was solved for, and a part of the last direction.
   void Turn(double part);
-  /// The matrices with the damping of the factors, times the direction.
-  void Multiply();
+  /// The matrices that were factored, times the direction. It is made of what was solved for, of
+  /// which the products are known, so no matrix is needed.
+  void Multiply() { this->Image = this->Product; }
   /// That of one, less along times the normal at a frame.
   void Subtract(std::size_t body, std::size_t frame, const Vec3& normal, double along);
   /// The products of the direction and what it was multiplied to.
@@ -59,13 +60,11 @@ private:
              values[3 * frame + 2].Of[body] };
   }
 
-  bool Factor(Banded<FourDoubles>& factors) const;
-
-  bool KeepsFactors;
-  Banded<FourDoubles> Matrix, Factors;
+  Banded<FourDoubles> Matrix;                  // or its factors
   std::vector<std::array<bool, Count>> IsFree; // by frame
   Values Descent, Step, Rest, Along;
-  Values Image; // of the direction, or what was solved for: they are never needed at once
+  Values Product; // of the matrices and the direction
+  Values Image;   // of the direction, or what was solved for: they are never needed at once
   double Damping = 0.0;
 };
 

@@ -111,6 +111,7 @@ WindCorrection::Nodes WindCorrection::At(const Level& level,
   return nodes;
 }
 
+// What of A is needed along x is summed first: a row of nodes has five such sums.
 Vec3 WindCorrection::Curl(const Basis& basis, const double* nodes) const
 {
   const Splines& x = basis.Along[0];
@@ -121,19 +122,19 @@ Vec3 WindCorrection::Curl(const Basis& basis, const double* nodes) const
   {
     for (int j = 0; j < 4; ++j)
     {
-      const double* a =
-        nodes + 3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
-                       this->Count[0] +
-                     x.First);
+      const double* a = nodes + this->RowOf(basis, j, k);
+      double plain0 = 0.0, held1 = 0.0, held2 = 0.0, slope1 = 0.0, slope2 = 0.0;
       for (int i = 0; i < 4; ++i, a += 3)
       {
-        w[0] +=
-          a[2] * x.Held[i] * y.Slope[j] * z.Plain[k] - a[1] * x.Held[i] * y.Plain[j] * z.Slope[k];
-        w[1] +=
-          a[0] * x.Plain[i] * y.Held[j] * z.Slope[k] - a[2] * x.Slope[i] * y.Held[j] * z.Plain[k];
-        w[2] +=
-          a[1] * x.Slope[i] * y.Plain[j] * z.Held[k] - a[0] * x.Plain[i] * y.Slope[j] * z.Held[k];
+        plain0 += a[0] * x.Plain[i];
+        held1 += a[1] * x.Held[i];
+        held2 += a[2] * x.Held[i];
+        slope1 += a[1] * x.Slope[i];
+        slope2 += a[2] * x.Slope[i];
       }
+      w[0] += held2 * (y.Slope[j] * z.Plain[k]) - held1 * (y.Plain[j] * z.Slope[k]);
+      w[1] += plain0 * (y.Held[j] * z.Slope[k]) - slope2 * (y.Held[j] * z.Plain[k]);
+      w[2] += slope1 * (y.Plain[j] * z.Held[k]) - plain0 * (y.Slope[j] * z.Held[k]);
     }
   }
   return w;

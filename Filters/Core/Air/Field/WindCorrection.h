@@ -97,6 +97,13 @@ private:
   Splines SplinesAt(int axis, double x) const;
   Level LevelAt(double frame) const;
   Nodes At(const Level& level, const std::vector<double>& coefficients) const;
+  /// Where the four nodes along x begin that are the j-th along y and the k-th along z.
+  std::size_t RowOf(const Basis& basis, int j, int k) const
+  {
+    const auto y = static_cast<std::size_t>(basis.Along[1].First + j);
+    const auto z = static_cast<std::size_t>(basis.Along[2].First + k);
+    return 3 * ((z * this->Count[1] + y) * this->Count[0] + basis.Along[0].First);
+  }
   Vec3 Curl(const Basis& basis, const double* nodes) const;
   void AddCurl(const Basis& basis, const Vec3& value, double* nodes) const;
   /// What is penalised, applied: the gradient of half the penalty.

@@ -32,18 +32,18 @@ void WindCorrection::AddCurl(const Basis& basis, const Vec3& value, double* node
   {
     for (int j = 0; j < 4; ++j)
     {
-      double* a =
-        nodes + 3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
-                       this->Count[0] +
-                     x.First);
+      double* a = nodes + this->RowOf(basis, j, k);
+      const double plain0 =
+        value[1] * (y.Held[j] * z.Slope[k]) - value[2] * (y.Slope[j] * z.Held[k]);
+      const double held1 = -value[0] * (y.Plain[j] * z.Slope[k]);
+      const double held2 = value[0] * (y.Slope[j] * z.Plain[k]);
+      const double slope1 = value[2] * (y.Plain[j] * z.Held[k]);
+      const double slope2 = -value[1] * (y.Held[j] * z.Plain[k]);
       for (int i = 0; i < 4; ++i, a += 3)
       {
-        a[0] += value[1] * x.Plain[i] * y.Held[j] * z.Slope[k] -
-                value[2] * x.Plain[i] * y.Slope[j] * z.Held[k];
-        a[1] += value[2] * x.Slope[i] * y.Plain[j] * z.Held[k] -
-                value[0] * x.Held[i] * y.Plain[j] * z.Slope[k];
-        a[2] += value[0] * x.Held[i] * y.Slope[j] * z.Plain[k] -
-                value[1] * x.Slope[i] * y.Held[j] * z.Plain[k];
+        a[0] += plain0 * x.Plain[i];
+        a[1] += slope1 * x.Slope[i] + held1 * x.Held[i];
+        a[2] += held2 * x.Held[i] + slope2 * x.Slope[i];
       }
     }
   }

@@ -80,7 +80,7 @@ struct AssimilationOptions
                        { 0, 1000 },
                        "",
                        "Paths that each object's search begins with besides its plan, the straight "
-                       "line and free drift." },
+                       "line and free drift; of many objects fewer, 8000 of all together." },
           of.Starts...);
     visit(
       OptionField{

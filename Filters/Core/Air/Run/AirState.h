@@ -52,6 +52,9 @@ inline constexpr double EnoughControl = 0.065;
 /// In which a body that has touched the ground tips over and comes to lie [s].
 inline constexpr double SettlingTime = 0.4;
 
+/// Starts of all searches together, besides the three that each body's has.
+inline constexpr std::size_t MostStarts = 8000;
+
 /// What a run is given, and what follows from that alone.
 struct AirContext
 {
@@ -63,7 +66,8 @@ struct AirContext
   {
     const double rate = input.Scene.Time.FramesPerSecond;
     this->Search.Weights.Smoothness = options.Smoothness;
-    this->Search.Starts = options.Starts;
+    this->Search.Starts = static_cast<int>(std::min<std::size_t>(
+      options.Starts, MostStarts / std::max<std::size_t>(1, input.Objects.size())));
     this->Search.Spread = static_cast<int>(std::lround(options.TouchDownSpread * rate));
     this->Search.Settling = static_cast<int>(std::lround(SettlingTime * rate));
     this->Search.Step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));

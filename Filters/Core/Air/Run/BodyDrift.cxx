@@ -99,17 +99,17 @@ Result DriftOn(const AirContext& run, const HalfSeries& series, int iterations, 
   PartMonitor part(monitor, 0.0, 1.0);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
   const PosedExtents extents = ExtentsOf(run, bodies);
-  const auto contacts = [&]
-  { return FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel, extents); };
+  const auto contacts = [&](double margin)
+  { return FindContacts(kept, bodies.Paths, margin, run.Parallel, extents); };
   std::vector<char> touches(bodies.Size(), 0);
-  AddTouching(contacts(), bodies.Paths, touches);
+  AddTouching(contacts(0.0), bodies.Paths, touches);
   std::vector<char> alone(bodies.Size());
   std::transform(touches.begin(), touches.end(), alone.begin(), std::logical_not<char>());
   const Result result = EachBody(run, series, BodyTask::Drift, iterations, alone, bodies, part);
   bool goesOn = part.Tick(1.0, "") && !result.IsStopped();
   if (result && goesOn)
   {
-    const std::vector<DriftContact> near = contacts();
+    const std::vector<DriftContact> near = contacts(ContactMargin);
     AddTouching(near, bodies.Paths, touches);
     TouchingTask task;
     task.Which = touches;

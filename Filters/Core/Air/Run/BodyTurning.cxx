@@ -24,6 +24,7 @@ constexpr double StepTime = 1.0 / 3.0; // s
 constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
+constexpr std::size_t MostTurnedAnew = 2048;
 
 struct Turning
 {
@@ -132,7 +133,7 @@ Result FindAway(const AirContext& run, const HalfSeries& air, const std::vector<
                 AirBodies& bodies, std::vector<std::vector<double>>& away)
 {
   away.assign(bodies.Size(), {});
-  if (bodies.Poses.empty())
+  if (bodies.Poses.empty() || bodies.Size() > MostTurnedAnew)
   {
     return Result::Ok();
   }

@@ -32,7 +32,8 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vec
 
 /// So turns those whose poses are not what the air as it has become makes of them: whose Agreement
 /// (Rotation/Agreement.h) is more than 15 degrees in the median, or 45 in the 90th percentile. An
-/// edit asks no body that it leaves as it was.
+/// edit asks no body that it leaves as it was. Of more than 2048 bodies all keep the poses of their
+/// first turning: to ask and to turn them again takes longer than all else that they need.
 Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
 /// In an air that becomes no other, up to three times: with a drift of all the path after it. Who
 /// agrees no better then, or needs more control than before and than an air may leave

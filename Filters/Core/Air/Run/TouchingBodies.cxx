@@ -15,11 +15,11 @@ namespace
 constexpr std::ptrdiff_t FewestToDivide = 64;
 
 // Those that may move, among the others.
-std::vector<TogetherBody> Together(const AirSampler& air, const TouchingTask& task,
-                                   const AirBodies& bodies)
+std::vector<TogetherBody> Together(const AirContext& run, const AirSampler& air,
+                                   const TouchingTask& task, const AirBodies& bodies)
 {
   std::vector<TogetherBody> together(bodies.Size());
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  const auto setUp = [&](std::size_t o)
   {
     TogetherBody& body = together[o];
     body.Weights = task.Weights;
@@ -32,7 +32,15 @@ std::vector<TogetherBody> Together(const AirSampler& air, const TouchingTask& ta
         body.Problem.reset();
       }
     }
-  }
+  };
+  run.Parallel(bodies.Size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t o = begin; o < end; ++o)
+                 {
+                   setUp(o);
+                 }
+               });
   return together;
 }
 
@@ -42,7 +50,7 @@ bool SolveHere(const AirContext& run, const HalfSeries& series, const TouchingTa
                Monitor& monitor)
 {
   const AirSampler air(series);
-  return SolveTogether(Together(air, task, bodies), contacts, air, task.Weights.Contact,
+  return SolveTogether(Together(run, air, task, bodies), contacts, air, task.Weights.Contact,
                        task.Iterations, run.Parallel, ranks, monitor, bodies.Paths);
 }
 

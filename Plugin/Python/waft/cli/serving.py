@@ -30,6 +30,7 @@ def as_one_run(act: Callable[[Sequence[str]], int], arguments: Sequence[str]) ->
     from waft.vtkWaftSources import vtkSharedWork
 
     processes.lead(controller)
+    vtkSharedWork.SetProcessesHere(launched.local)
     try:
         return act(arguments)
     finally:
