@@ -83,22 +83,18 @@ bool GroundEffect::Brakes(const Vec3& x, double frame) const
 {
   const Near* near = this->NearAt(frame);
   Vec3 normal;
-  return near != nullptr && near->Lift.empty() && this->Reaches(*near, x, frame) &&
+  return near != nullptr && near->Lift.empty() &&
          this->HeightAbove(*near, x, frame, normal) < this->Height;
-}
-
-bool GroundEffect::Reaches(const Near& near, const Vec3& x, double frame) const
-{
-  const double reach = near.Lift.empty() ? this->Height : this->Length;
-  return this->Obstacles->IsNearerTo(near.ObstacleId, x, frame, this->RestHeight + reach);
 }
 
 double GroundEffect::HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const
 {
+  const double reach = near.Lift.empty() ? this->Height : this->Length;
   SurfaceHit hit;
-  const double distance = this->Obstacles->SignedDistanceTo(near.ObstacleId, x, frame, hit);
+  const double distance =
+    this->Obstacles->SignedDistanceTo(near.ObstacleId, x, frame, this->RestHeight + reach, hit);
   normal = hit.Normal;
-  return distance - this->RestHeight;
+  return hit.ObstacleId < 0 ? 1e30 : distance - this->RestHeight;
 }
 
 double GroundEffect::Landing(const Near& near, double height, double frame, double& slope) const
@@ -134,12 +130,13 @@ double GroundEffect::Bearing(const Vec3& x, double frame, Vec3* gradient) const
 {
   const double low = 0.5 * this->Length + BearingGap;
   const double reach = BearingReach * 0.5 * this->Length;
-  if (this->Length <= 0.0 || this->Obstacles->SignedDistance(x, frame, low + reach) >= low + reach)
+  if (this->Length <= 0.0)
   {
     return 1.0;
   }
   SurfaceHit hit;
-  const double r = std::max(0.0, this->Obstacles->SignedDistance(x, frame, hit) - low) / reach;
+  const double distance = this->Obstacles->SignedDistance(x, frame, low + reach, hit);
+  const double r = std::max(0.0, distance - low) / reach;
   if (r >= 1.0 || hit.Normal.z() < BearingNormal)
   {
     return 1.0;
@@ -162,7 +159,7 @@ double GroundEffect::Factor(const Vec3& x, double frame, Vec3* gradient) const
   {
     return this->Bearing(x, frame, gradient);
   }
-  if (near == nullptr || !this->Reaches(*near, x, frame))
+  if (near == nullptr)
   {
     return 1.0;
   }

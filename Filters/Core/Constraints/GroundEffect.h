@@ -58,8 +58,7 @@ private:
     std::vector<double> Lift;       // s from First on, frame by frame; empty: it lands
   };
   const Near* NearAt(double frame) const;
-  /// Whether x is near enough to the surface to feel it.
-  bool Reaches(const Near& near, const Vec3& x, double frame) const;
+  /// Over which x rests on the surface; 1e30 where it is too far to feel it.
   double HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const;
   double Landing(const Near& near, double height, double frame, double& slope) const;
   double Lifting(const Near& near, double height, double frame, double& slope) const;

@@ -197,10 +197,11 @@ double ObstacleSet::SignedDistance(const Vec3& x, double frame, double limit, in
   return best;
 }
 
-double ObstacleSet::SignedDistance(const Vec3& x, double frame, SurfaceHit& hit, int ignored) const
+double ObstacleSet::SignedDistance(const Vec3& x, double frame, double limit, SurfaceHit& hit,
+                                   int ignored) const
 {
   hit = SurfaceHit();
-  double best = 1e30;
+  double best = limit;
   for (std::size_t k = 0; k < this->Impl->Meshes.size(); ++k)
   {
     if (ignored < 0 || this->Impl->Meshes[k].ObstacleId != ignored)
@@ -211,7 +212,7 @@ double ObstacleSet::SignedDistance(const Vec3& x, double frame, SurfaceHit& hit,
   return best;
 }
 
-double ObstacleSet::SignedDistanceTo(int obstacleId, const Vec3& x, double frame,
+double ObstacleSet::SignedDistanceTo(int obstacleId, const Vec3& x, double frame, double limit,
                                      SurfaceHit& hit) const
 {
   hit = SurfaceHit();
@@ -219,22 +220,10 @@ double ObstacleSet::SignedDistanceTo(int obstacleId, const Vec3& x, double frame
   {
     if (this->Impl->Meshes[k].ObstacleId == obstacleId)
     {
-      return this->Impl->Signed(k, x, frame, 1e30, &hit);
+      return this->Impl->Signed(k, x, frame, limit, &hit);
     }
   }
-  return 1e30;
-}
-
-bool ObstacleSet::IsNearerTo(int obstacleId, const Vec3& x, double frame, double limit) const
-{
-  for (std::size_t k = 0; k < this->Impl->Meshes.size(); ++k)
-  {
-    if (this->Impl->Meshes[k].ObstacleId == obstacleId)
-    {
-      return this->Impl->Signed(k, x, frame, limit, nullptr) < limit;
-    }
-  }
-  return false;
+  return limit;
 }
 
 bool ObstacleSet::IsClear(const Vec3& a, double frameA, const Vec3& b, double frameB, double radius,

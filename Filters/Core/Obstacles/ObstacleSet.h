@@ -44,14 +44,23 @@ public:
   /// Signed distance to the nearest obstacle [m], negative inside; at most `limit` (a query that
   /// needs no more than the limit is cheaper). `ignored`: the id of an obstacle left out.
   double SignedDistance(const Vec3& x, double frame, double limit = 1e30, int ignored = -1) const;
-  /// The same without a limit, with the closest point and the normal there: the gradient of the
-  /// signed distance, or on the surface itself that of the face. Without obstacles: 1e30, and the
-  /// hit's ObstacleId is -1.
-  double SignedDistance(const Vec3& x, double frame, SurfaceHit& hit, int ignored = -1) const;
-  /// The same to one obstacle alone; 1e30 when there is none of this id.
-  double SignedDistanceTo(int obstacleId, const Vec3& x, double frame, SurfaceHit& hit) const;
-  /// Whether that distance is less than the limit, which is cheaper to tell.
-  bool IsNearerTo(int obstacleId, const Vec3& x, double frame, double limit) const;
+  /// The same with the closest point and the normal there: the gradient of the signed distance, or
+  /// on the surface itself that of the face. Of nothing within the limit the hit's ObstacleId is
+  /// -1.
+  double SignedDistance(const Vec3& x, double frame, double limit, SurfaceHit& hit,
+                        int ignored = -1) const;
+  /// The same without a limit; 1e30 without obstacles.
+  double SignedDistance(const Vec3& x, double frame, SurfaceHit& hit, int ignored = -1) const
+  {
+    return this->SignedDistance(x, frame, 1e30, hit, ignored);
+  }
+  /// The same to one obstacle alone; the limit when there is none of this id.
+  double SignedDistanceTo(int obstacleId, const Vec3& x, double frame, double limit,
+                          SurfaceHit& hit) const;
+  double SignedDistanceTo(int obstacleId, const Vec3& x, double frame, SurfaceHit& hit) const
+  {
+    return this->SignedDistanceTo(obstacleId, x, frame, 1e30, hit);
+  }
 
   /// True when a ball of this radius swept from a (at frameA) to b (at frameB) on a straight line
   /// at constant speed stays clear of every obstacle: no surface point nearer to the centre than

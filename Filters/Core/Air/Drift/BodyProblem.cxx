@@ -126,17 +126,13 @@ void BodyProblem::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& dep
     push(-Vec3::Unit(c), x[c] - volume.Max[c] + radius);
   }
   const ObstacleSet& obstacles = this->World.Obstacles;
-  if (obstacles.SignedDistance(x, frame, radius, asked.Exempt) < radius)
+  SurfaceHit hit;
+  const double distance = obstacles.SignedDistance(x, frame, radius, hit, asked.Exempt);
+  push(hit.Normal, radius - distance);
+  if (asked.Exempt >= 0)
   {
-    SurfaceHit hit;
-    const double distance = obstacles.SignedDistance(x, frame, hit, asked.Exempt);
-    push(hit.Normal, radius - distance);
-  }
-  if (asked.Exempt >= 0 && obstacles.IsNearerTo(asked.Exempt, x, frame, asked.LandingDistance))
-  {
-    SurfaceHit hit;
-    const double distance = obstacles.SignedDistanceTo(asked.Exempt, x, frame, hit);
-    push(hit.Normal, asked.LandingDistance - distance);
+    const double limit = asked.LandingDistance;
+    push(hit.Normal, limit - obstacles.SignedDistanceTo(asked.Exempt, x, frame, limit, hit));
   }
 }
 
