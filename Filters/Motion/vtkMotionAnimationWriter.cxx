@@ -2,6 +2,7 @@
 #include "vtkMotionAnimationWriter.h"
 
 #include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/PoseData.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
@@ -14,12 +15,15 @@
 #include "Export/GltfAnimation.h"
 #include "Export/PosesCsv.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -37,7 +41,36 @@ const waft::StageInputs Inputs = {
   { "Poses", StageInput::Type::Surface },
   { "Objects", StageInput::Type::Merged },
   { "Shapes", StageInput::Type::Blocks },
+  { "Constraints", StageInput::Type::Merged, StageInput::Number::Optional },
 };
+
+/// By ObjectId, the frames at which a body does what is asked of it: those of its rows, and when it
+/// comes to lie, asked for or not.
+waft::Result FramesOfMarks(vtkPolyData* rows, vtkPolyData* poses, const waft::Timeline& time,
+                           std::map<int, std::vector<int>>& frames)
+{
+  std::vector<waft::Constraint> constraints;
+  if (rows->GetNumberOfPoints() > 0)
+  {
+    WAFT_RETURN_IF_FAILED(waft::ConstraintsFromPolyData(rows, time, constraints));
+  }
+  for (const waft::Constraint& row : constraints)
+  {
+    std::vector<int>& own = frames[row.ObjectId];
+    own.insert(own.end(),
+               { row.Frame, waft::LastFrame(row), row.TouchDown, row.Settled, row.LiftOff });
+  }
+  vtkDataArray* ids = poses->GetCellData()->GetArray(waft::names::ObjectId);
+  for (const char* name : { waft::names::TouchDown, waft::names::Settled })
+  {
+    vtkDataArray* begun = poses->GetCellData()->GetArray(name);
+    for (vtkIdType i = 0; begun != nullptr && i < begun->GetNumberOfTuples(); ++i)
+    {
+      frames[static_cast<int>(ids->GetTuple1(i))].push_back(static_cast<int>(begun->GetTuple1(i)));
+    }
+  }
+  return waft::Result::Ok();
+}
 
 } // namespace
 
@@ -50,7 +83,7 @@ struct vtkMotionAnimationWriter::Internals
   waft::Result Run(vtkAlgorithm* stage, vtkInformationVector** inputs, const std::string& fileName,
                    waft::Monitor& monitor);
   waft::Result WriteGlb(vtkInformationVector** inputs, std::vector<waft::Track> tracks,
-                        std::vector<waft::PoseTrack> poses, double framesPerSecond,
+                        std::vector<waft::PoseTrack> poses, const waft::Timeline& time,
                         const std::string& fileName, waft::Monitor& monitor);
 };
 
@@ -77,8 +110,9 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
   }
   if (waft::HasEnding(fileName, ".glb"))
   {
-    return this->WriteGlb(inputs, std::move(tracks), std::move(poses), info.Time.FramesPerSecond,
-                          fileName, monitor);
+    info.Time.NumberOfFrames = static_cast<int>(tracks[0].Positions.size());
+    return this->WriteGlb(inputs, std::move(tracks), std::move(poses), info.Time, fileName,
+                          monitor);
   }
   return waft::WrongEnding(fileName, Endings);
 }
@@ -86,7 +120,7 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
 waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector** inputs,
                                                            std::vector<waft::Track> tracks,
                                                            std::vector<waft::PoseTrack> poses,
-                                                           double framesPerSecond,
+                                                           const waft::Timeline& time,
                                                            const std::string& fileName,
                                                            waft::Monitor& monitor)
 {
@@ -110,6 +144,12 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector*
     }
     shapes.push_back(std::move(shape));
   }
+  vtkPolyData* rows = vtkPolyData::GetData(inputs[3]);
+  std::map<int, std::vector<int>> marks;
+  if (rows != nullptr)
+  {
+    WAFT_RETURN_IF_FAILED(FramesOfMarks(rows, vtkPolyData::GetData(inputs[0]), time, marks));
+  }
   const waft::ShapesOfTracks shapeOf("Poses", objects, shapes.size());
   std::vector<waft::AnimatedObject> animated;
   for (std::size_t i = 0; i < tracks.size(); ++i)
@@ -117,16 +157,19 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector*
     int shapeId = 0;
     WAFT_RETURN_IF_FAILED(shapeOf.Find(tracks[i].ObjectId, shapeId));
     animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId),
-                         std::move(tracks[i].Positions), std::move(poses[i].Orientations) });
+                         std::move(tracks[i].Positions), std::move(poses[i].Orientations),
+                         std::move(marks[tracks[i].ObjectId]) });
     poses[i] = waft::PoseTrack();
   }
-  return waft::WriteAnimationGlb(fileName, shapes, std::move(animated), framesPerSecond, monitor);
+  return waft::WriteAnimationGlb(fileName, shapes, std::move(animated), time.FramesPerSecond,
+                                 monitor,
+                                 rows != nullptr ? waft::MostWholeKeys : waft::AnyNumberOfKeys);
 }
 
 vtkMotionAnimationWriter::vtkMotionAnimationWriter() : Impl(std::make_unique<Internals>())
 {
   waft::TakeDefaults<waft::AnimationOptions>(*this);
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
 }
 
 vtkMotionAnimationWriter::~vtkMotionAnimationWriter() = default;

@@ -6,13 +6,16 @@
  * Input port 0, Poses (vtkPolyData): Tracks with `Orientation`.
  * Input port 1, Objects (vtkPolyData): `ObjectId`, `ShapeId`.
  * Input port 2, Shapes (vtkMultiBlockDataSet): meshes, textures, colours.
+ * Input port 3, Constraints (vtkPolyData, optional): whose frames have exact keys in any case.
  * Output port 0: the poses, unchanged.
  *
  * FileName ending in .glb: binary glTF 2.0, one mesh a shape, one animated node an object, turned
  * to y up, textures embedded. Ending in .csv: object, frame, time, position, orientation, velocity
- * and angular velocity, 17 significant digits. The file is whole or not there. Executing the stage
- * writes it, once for each change; without a FileName nothing is written. A texture that cannot be
- * read is warned about, and its shape is written in its colour.
+ * and angular velocity, 17 significant digits. With Constraints a .glb of more than 100,000 poses
+ * is written without keys that those beside them give back; without them it has all, since nobody
+ * says which frames matter. The file is whole or not there. Executing the stage writes it, once for
+ * each change; without a FileName nothing is written. A texture that cannot be read is warned
+ * about, and its shape is written in its colour.
  */
 #ifndef vtkMotionAnimationWriter_h
 #define vtkMotionAnimationWriter_h
@@ -35,6 +38,9 @@ public:
   static vtkMotionAnimationWriter* New();
   vtkTypeMacro(vtkMotionAnimationWriter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Takes the optional input away. */
+  void RemoveAllConstraints() { this->SetInputConnection(3, nullptr); }
 
   WaftText(FileName);
 

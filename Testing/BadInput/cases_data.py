@@ -26,7 +26,7 @@ STAGES = {
     "vtkTrajectoryTraceFilter": ("flow", "vortices", "obstacles"),
     "vtkTrajectoryClusterFilter": ("flown", "vortices"),
     "vtkGridSmokeSource": (None, "obstacles", "wind", "vortices"),
-    "vtkMotionAnimationWriter": ("poses", "objects", "shapes"),
+    "vtkMotionAnimationWriter": ("poses", "objects", "shapes", "constraints"),
     "vtkMotionSceneWriter": ("objects", "constraints", "obstacles", "shapes", "vortices", "wind"),
     "vtkVDBWriter": ("flow",),
     "vtkMotionSceneFileWriter": ("scene",),

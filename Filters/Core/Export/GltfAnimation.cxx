@@ -28,7 +28,7 @@ struct Elements
   std::size_t Width = 1;
 };
 
-constexpr std::size_t NumbersOfPose = 3 + 4; // a place and a quaternion
+constexpr std::size_t NumbersOfPose = BodyKeys::PlaceWidth + BodyKeys::TurnWidth;
 
 Vec3 ToYUp(const Vec3& v)
 {
@@ -47,6 +47,24 @@ Elements<float> Vectors(const std::vector<Vec3>& vectors)
     }
   }
   return elements;
+}
+
+/// The keys of an object at all frames.
+BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond)
+{
+  BodyKeys keys;
+  keys.Places = Vectors(object.Positions).Values;
+  for (std::size_t k = 0; k < object.Orientations.size(); ++k)
+  {
+    const Quat& q = object.Orientations[k];
+    const Vec3 v = ToYUp(q.vec());
+    for (const double x : { v.x(), v.y(), v.z(), q.w() })
+    {
+      keys.Turns.push_back(static_cast<float>(x));
+    }
+    keys.Times.push_back(static_cast<float>(static_cast<double>(k) / framesPerSecond));
+  }
+  return keys;
 }
 
 tinygltf::Value Extras(const std::string& name, tinygltf::Value value)
@@ -108,26 +126,22 @@ public:
     this->Model.meshes.push_back(mesh);
   }
 
-  void AddTimes(std::size_t frames)
+  /// For the poses of so many objects: bytes that grow are there twice.
+  void BeginMotion(std::size_t objects, std::size_t frames, bool isThinned)
   {
-    Elements<float> times;
-    for (std::size_t k = 0; k < frames; ++k)
-    {
-      times.Values.push_back(static_cast<float>(static_cast<double>(k) / this->FramesPerSecond));
-    }
-    this->Times = this->AddAccessor(times, 0);
     this->Model.animations.emplace_back();
     this->Model.animations[0].name = "Motion";
-  }
-
-  /// For as many poses of objects: bytes that grow are there twice.
-  void Reserve(std::size_t poses)
-  {
+    this->Poses = objects * frames;
+    this->Frames = frames;
     std::vector<unsigned char>& data = this->Model.buffers[0].data;
-    data.reserve(data.size() + poses * NumbersOfPose * sizeof(float));
+    data.reserve(data.size() + (frames + this->Poses * NumbersOfPose) * sizeof(float));
+    if (isThinned) // thousands of short accessors, in a view of their own together
+    {
+      this->KeysView = this->AddView(nullptr, 0, 0);
+    }
   }
 
-  void AddObject(const AnimatedObject& object)
+  void AddObject(const AnimatedObject& object, double placeTolerance)
   {
     tinygltf::Node node;
     const std::string& shape = this->Model.meshes[object.Shape].name;
@@ -142,21 +156,21 @@ public:
     this->Model.nodes.push_back(node);
     this->Model.scenes[0].nodes.push_back(number);
 
-    Elements<float> turns{ {}, TINYGLTF_TYPE_VEC4, 4 };
-    for (const Quat& q : object.Orientations)
-    {
-      const Vec3 v = ToYUp(q.vec());
-      for (const double x : { v.x(), v.y(), v.z(), q.w() })
-      {
-        turns.Values.push_back(static_cast<float>(x));
-      }
-    }
-    this->AddChannel(number, "translation", this->AddAccessor(Vectors(object.Positions), 0));
-    this->AddChannel(number, "rotation", this->AddAccessor(turns, 0));
+    BodyKeys keys = KeysOf(object, this->FramesPerSecond);
+    const int times = this->TimesOf(object, placeTolerance, keys);
+    this->Kept += keys.Count();
+    Elements<float> places{ std::move(keys.Places), TINYGLTF_TYPE_VEC3, BodyKeys::PlaceWidth };
+    Elements<float> turns{ std::move(keys.Turns), TINYGLTF_TYPE_VEC4, BodyKeys::TurnWidth };
+    this->AddChannel(number, "translation", times, this->AddAccessor(places, 0));
+    this->AddChannel(number, "rotation", times, this->AddAccessor(turns, 0));
   }
 
   bool Save(std::string& bytes)
   {
+    if (this->KeysView >= 0)
+    {
+      this->SayHowThinned();
+    }
     bytes.clear();
     bytes.reserve(this->Model.buffers[0].data.size());
     Appender appender(bytes);
@@ -166,17 +180,59 @@ public:
   }
 
 private:
+  /// The accessor of the times of an object's keys, of which those that can be left out are gone
+  /// afterwards: of its own, or of all frames, whose times objects share.
+  int TimesOf(const AnimatedObject& object, double placeTolerance, BodyKeys& keys)
+  {
+    if (this->KeysView >= 0)
+    {
+      const std::vector<std::size_t> kept =
+        KeysToKeep(keys, object.Marks, placeTolerance, KeyTurnTolerance * std::acos(-1.0) / 180.0);
+      if (kept.size() * (1 + NumbersOfPose) < keys.Count() * NumbersOfPose)
+      {
+        KeepKeys(kept, keys);
+        return this->AddAccessor(Elements<float>{ keys.Times }, 0);
+      }
+    }
+    if (this->Times < 0)
+    {
+      this->Times = this->AddAccessor(Elements<float>{ keys.Times }, 0);
+    }
+    return this->Times;
+  }
+
+  void SayHowThinned()
+  {
+    const auto number = [](std::size_t count) { return tinygltf::Value(static_cast<int>(count)); };
+    this->Model.asset.extras.Get<tinygltf::Value::Object>()["keys"] = tinygltf::Value(
+      tinygltf::Value::Object{ { "kept", number(this->Kept) },
+                               { "of", number(this->Poses) },
+                               { "frames", number(this->Frames) },
+                               { "placeTolerance", tinygltf::Value(KeyPlaceTolerance) },
+                               { "turnTolerance", tinygltf::Value(KeyTurnTolerance) } });
+  }
+
+  std::size_t Append(const void* bytes, std::size_t size)
+  {
+    std::vector<unsigned char>& data = this->Model.buffers[0].data;
+    const std::size_t at = data.size();
+    data.resize(at + size);
+    if (size > 0)
+    {
+      std::memcpy(data.data() + at, bytes, size);
+    }
+    return at;
+  }
+
   int AddView(const void* bytes, std::size_t size, int target)
   {
     std::vector<unsigned char>& data = this->Model.buffers[0].data;
     data.resize((data.size() + 3) / 4 * 4, 0); // accessors begin at multiples of four
     tinygltf::BufferView view;
     view.buffer = 0;
-    view.byteOffset = data.size();
+    view.byteOffset = this->Append(bytes, size);
     view.byteLength = size;
     view.target = target;
-    data.resize(data.size() + size);
-    std::memcpy(data.data() + view.byteOffset, bytes, size);
     this->Model.bufferViews.push_back(view);
     return static_cast<int>(this->Model.bufferViews.size()) - 1;
   }
@@ -185,14 +241,28 @@ private:
   int AddAccessor(const Elements<T>& elements, int target)
   {
     tinygltf::Accessor accessor;
-    accessor.bufferView =
-      this->AddView(elements.Values.data(), elements.Values.size() * sizeof(T), target);
+    const std::size_t size = elements.Values.size() * sizeof(T);
+    if (this->KeysView >= 0)
+    {
+      tinygltf::BufferView& view = this->Model.bufferViews[this->KeysView];
+      accessor.bufferView = this->KeysView;
+      accessor.byteOffset = view.byteLength;
+      this->Append(elements.Values.data(), size);
+      view.byteLength += size;
+    }
+    else
+    {
+      accessor.bufferView = this->AddView(elements.Values.data(), size, target);
+    }
     accessor.componentType = sizeof(T) == sizeof(float) && std::is_floating_point<T>::value
                                ? TINYGLTF_COMPONENT_TYPE_FLOAT
                                : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     accessor.type = elements.Type;
     accessor.count = elements.Values.size() / elements.Width;
-    for (std::size_t c = 0; c < elements.Width; ++c)
+    // Readers ask for the ends of points and times; of thousands of lists of keys they are as long.
+    const std::size_t ranged =
+      this->KeysView < 0 || elements.Type == TINYGLTF_TYPE_SCALAR ? elements.Width : 0;
+    for (std::size_t c = 0; c < ranged; ++c)
     {
       T low = elements.Values[c];
       T high = low;
@@ -245,11 +315,11 @@ private:
     return static_cast<int>(this->Model.materials.size()) - 1;
   }
 
-  void AddChannel(int node, const char* path, int accessor)
+  void AddChannel(int node, const char* path, int times, int accessor)
   {
     tinygltf::Animation& animation = this->Model.animations[0];
     tinygltf::AnimationSampler sampler;
-    sampler.input = this->Times;
+    sampler.input = times;
     sampler.output = accessor;
     sampler.interpolation = "LINEAR";
     tinygltf::AnimationChannel channel;
@@ -262,74 +332,25 @@ private:
 
   tinygltf::Model Model;
   double FramesPerSecond;
-  int Times = -1;
+  std::size_t Poses = 0, Frames = 0, Kept = 0;
+  int Times = -1;    // accessor of those of all frames
+  int KeysView = -1; // of an animation whose keys are thinned
 };
+} // namespace
 
-Result Check(const std::vector<AnimatedShape>& shapes, const std::vector<AnimatedObject>& objects,
-             double framesPerSecond)
+Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<AnimatedObject> objects,
+                     double framesPerSecond, std::string& bytes, Monitor& monitor,
+                     std::size_t mostWholeKeys)
 {
   if (!(framesPerSecond > 0.0) || !std::isfinite(framesPerSecond))
   {
     return Result::Error("the frame rate must be positive");
   }
-  for (const AnimatedShape& shape : shapes)
-  {
-    const std::size_t points = shape.Body.Mesh.Points.size();
-    const std::string name = "shape '" + shape.Body.Name + "'";
-    if (shape.Body.Mesh.Triangles.empty())
-    {
-      return Result::Error(name + " has no triangles");
-    }
-    if ((!shape.Normals.empty() && shape.Normals.size() != points) ||
-        (!shape.Body.TextureCoordinates.empty() && shape.Body.TextureCoordinates.size() != points))
-    {
-      return Result::Error(name + ": expected a normal and a texture coordinate for each of " +
-                           std::to_string(points) + " points");
-    }
-    for (const auto& triangle : shape.Body.Mesh.Triangles)
-    {
-      for (const int corner : triangle)
-      {
-        if (corner < 0 || corner >= static_cast<int>(points))
-        {
-          return Result::Error(name + ": a triangle names point " + std::to_string(corner) +
-                               " of " + std::to_string(points));
-        }
-      }
-    }
-  }
-  for (const AnimatedObject& object : objects)
-  {
-    const std::string name = "object " + std::to_string(object.ObjectId);
-    if (object.Shape >= shapes.size())
-    {
-      return Result::Error(name + ": shape " + std::to_string(object.Shape) + " of " +
-                           std::to_string(shapes.size()) + ": expected a number below");
-    }
-    if (object.Positions.empty() || object.Positions.size() != objects[0].Positions.size() ||
-        object.Orientations.size() != object.Positions.size())
-    {
-      return Result::Error(name + ": its poses have another number of frames");
-    }
-    for (std::size_t k = 0; k < object.Positions.size(); ++k)
-    {
-      if (!object.Positions[k].allFinite() || !object.Orientations[k].coeffs().allFinite())
-      {
-        return Result::Error(name + ", frame " + std::to_string(k) + ": a number is not finite");
-      }
-    }
-  }
-  return Result::Ok();
-}
-} // namespace
-
-Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<AnimatedObject> objects,
-                     double framesPerSecond, std::string& bytes, Monitor& monitor)
-{
-  WAFT_RETURN_IF_FAILED(Check(shapes, objects, framesPerSecond));
+  WAFT_RETURN_IF_FAILED(CheckAnimated(shapes, objects));
   try
   {
     Writer writer(framesPerSecond);
+    std::vector<double> placeTolerances;
     for (const AnimatedShape& shape : shapes)
     {
       AnimatedShape whole = shape;
@@ -338,11 +359,12 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<Anima
         whole.Normals = SmoothNormals(whole.Body.Mesh);
       }
       writer.AddShape(whole);
+      placeTolerances.push_back(KeyPlaceTolerance * LargestExtent(whole.Body.Mesh));
     }
     if (!objects.empty())
     {
-      writer.AddTimes(objects[0].Positions.size());
-      writer.Reserve(objects.size() * objects[0].Positions.size());
+      const std::size_t frames = objects[0].Positions.size();
+      writer.BeginMotion(objects.size(), frames, objects.size() * frames > mostWholeKeys);
     }
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
@@ -350,7 +372,7 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<Anima
       {
         return Result::Stopped();
       }
-      writer.AddObject(objects[i]);
+      writer.AddObject(objects[i], placeTolerances[objects[i].Shape]);
       objects[i] = AnimatedObject();
     }
     if (!writer.Save(bytes))
@@ -367,10 +389,11 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<Anima
 
 Result WriteAnimationGlb(const std::string& path, const std::vector<AnimatedShape>& shapes,
                          std::vector<AnimatedObject> objects, double framesPerSecond,
-                         Monitor& monitor)
+                         Monitor& monitor, std::size_t mostWholeKeys)
 {
   std::string bytes;
-  const Result result = GltfAnimation(shapes, std::move(objects), framesPerSecond, bytes, monitor);
+  const Result result =
+    GltfAnimation(shapes, std::move(objects), framesPerSecond, bytes, monitor, mostWholeKeys);
   return result && !result.IsStopped() ? WriteWholeFile(path, bytes) : result;
 }
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from waft.beneath import Folder
 from waft.failures import BadInput
-from waft.page._thinning import interval, thinned
+from waft.page._thinning import interval, shown
 from waft.reading import json_of, read_json
 from waft.results import _folder
 from waft.results._arrays import MOST_FRAMES, array_of, points_of, polylines
@@ -38,7 +38,14 @@ def describe(path, measured=None):
            "marks": [_at_shown(mark, every, frames) for mark in marks_of(folder)], "plan": _plan(folder, ids, frames, every),
            "obstacles": _obstacles(folder, bounds, rate, frames, every), "energy": _energy(folder), "rounds": _rounds(folder),
            "measured": _measured(folder, measured)}
-    return run, thinned(animation, every) if every > 1 else animation
+    try:
+        return run, shown(animation, frames, every)
+    except (ValueError, LookupError, TypeError) as error:
+        raise _not_ours(folder, f"its keys do not fit together: {error}") from error
+
+
+def _not_ours(folder, why):
+    return BadInput(f"{folder.path / 'animation.glb'}: expected the animation that `waft synthesize` writes: {why}")
 
 
 def _at_shown(mark, every, frames):
@@ -66,15 +73,16 @@ def animation_of(folder):
             raise ValueError("it is cut, or something else")
         text = content[20:20 + size].decode("utf-8")
     except (struct.error, ValueError) as error:
-        raise BadInput(f"{path}: expected the animation that `waft synthesize` writes: {error}") from error
+        raise _not_ours(folder, str(error)) from error
     gltf = checked(json_of(text, path), GLTF, path)
     ids = [int(node["extras"]["ObjectId"]) for node in gltf["nodes"]]
     animation = gltf["animations"][0]
     frames = _keys(gltf, int(animation["samplers"][0]["input"]), rest)
-    if len(animation["channels"]) != 2 * len(ids) or len(set(ids)) != len(ids) or not frames:
-        raise BadInput(f"{path}: expected the animation that `waft synthesize` writes: each object once, with keys of translation and "
-                       "rotation")
-    return content, ids, float(gltf["asset"]["extras"]["framesPerSecond"]), frames
+    are_there = all(sampler["input"] < len(gltf["accessors"]) for sampler in animation["samplers"])
+    if len(animation["channels"]) != 2 * len(ids) or len(set(ids)) != len(ids) or not frames or not are_there:
+        raise _not_ours(folder, "each object once, with keys of translation and rotation")
+    extras = gltf["asset"]["extras"]
+    return content, ids, float(extras["framesPerSecond"]), int(extras["keys"]["frames"]) if "keys" in extras else frames
 
 
 def _keys(gltf, number, size):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page of a motion that is too much for a browser: every n-th frame of it."""
+"""The animation as a page has it: a key at each frame that it shows, of a motion that is too much for a browser at every n-th."""
 import json
 import math
 import struct
@@ -14,10 +14,32 @@ def interval(objects, frames):
     return max(1, math.ceil(objects * frames / MOST_POSES))
 
 
-def thinned(content, every):
-    """The bytes of an animation.glb, a view of the buffer an accessor, with every n-th of its keys."""
+def shown(content, frames, every):
+    """The bytes of an animation.glb of so many frames with a key at every n-th alone. Raises ValueError, LookupError or TypeError on a
+    damaged one."""
+    gltf, binary = _parts(content)
+    if "keys" in gltf["asset"]["extras"]:
+        return _filled(gltf, binary, np.arange(0, frames, every))
+    return _thinned(gltf, binary, every) if every > 1 else content
+
+
+def _parts(content):
     size = struct.unpack_from("<I", content, 12)[0]
-    gltf, binary = json.loads(content[20:20 + size]), memoryview(content)[28 + size:]
+    return json.loads(content[20:20 + size]), memoryview(content)[28 + size:]
+
+
+def _joined(gltf, blocks):
+    """The file of a JSON part and blocks of bytes."""
+    size = sum(len(block) for block in blocks)
+    gltf["buffers"][0]["byteLength"] = size
+    text = json.dumps(gltf, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    return b"".join([struct.pack("<4sII", b"glTF", 2, 28 + len(text) + size), struct.pack("<I4s", len(text), b"JSON"), text,
+                     struct.pack("<I4s", size, b"BIN\0"), *blocks])
+
+
+def _thinned(gltf, binary, every):
+    """Of keys at all frames, a view of the buffer an accessor, every n-th."""
     times = {sampler["input"] for sampler in gltf["animations"][0]["samplers"]}
     keyed = times | {sampler["output"] for sampler in gltf["animations"][0]["samplers"]}
     counts = {gltf["accessors"][number]["bufferView"]: gltf["accessors"][number]["count"] for number in keyed}
@@ -35,8 +57,52 @@ def thinned(content, every):
         accessor["count"] = math.ceil(accessor["count"] / every)
         values = np.frombuffer(kept[accessor["bufferView"]], "<f4").reshape(accessor["count"], -1)
         accessor.update(min=values.min(axis=0).tolist(), max=values.max(axis=0).tolist())
-    gltf["buffers"][0]["byteLength"] = at
-    text = json.dumps(gltf, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    return b"".join([struct.pack("<4sII", b"glTF", 2, 28 + len(text) + at), struct.pack("<I4s", len(text), b"JSON"), text,
-                     struct.pack("<I4s", at, b"BIN\0"), *kept])
+    return _joined(gltf, kept)
+
+
+def _filled(gltf, binary, frames):
+    """Of keys of which those are left out that others give back, in the last view of the buffer, keys at these frames."""
+    extras, animation, accessors, views = gltf["asset"]["extras"], gltf["animations"][0], gltf["accessors"], gltf["bufferViews"]
+    first = [accessor["bufferView"] for accessor in accessors].index(len(views) - 1)
+    begin = views[-1]["byteOffset"]
+
+    def read(number, width):
+        if number < first:
+            raise ValueError("keys that are not in the last view")
+        accessor = accessors[number]
+        return np.frombuffer(binary, "<f4", accessor["count"] * width, begin + accessor.get("byteOffset", 0)).reshape(-1, width)
+
+    def add(values, kind, **more):
+        added.append({"bufferView": len(views) - 1, "byteOffset": len(data), "componentType": 5126, "count": len(values),
+                      "type": kind, **more})
+        data.extend(values.astype("<f4").tobytes())
+
+    times = (frames / extras["framesPerSecond"]).astype("<f4")
+    data, added = bytearray(), []
+    add(times, "SCALAR", min=[float(times[0])], max=[float(times[-1])])
+    for channel in animation["channels"]:
+        sampler = animation["samplers"][channel["sampler"]]
+        is_turn = channel["target"]["path"] == "rotation"
+        keys, values = read(sampler["input"], 1)[:, 0].astype(float), read(sampler["output"], 3 + is_turn).astype(float)
+        sampler.update(input=first, output=first + len(added))
+        add(_between(keys, values, times, is_turn), "VEC4" if is_turn else "VEC3")
+    del extras["keys"]
+    accessors[first:] = added
+    views[-1]["byteLength"] = len(data)
+    return _joined(gltf, [binary[:begin], data])
+
+
+def _between(keys, values, times, is_turn):
+    """Values at keys, by time, as they are at other times: on straight lines, or turned evenly the short way. At a key exactly its own."""
+    index = np.clip(np.searchsorted(keys, times, side="right") - 1, 0, max(len(keys) - 2, 0))
+    after = np.minimum(index + 1, len(keys) - 1)
+    length = keys[after] - keys[index]
+    part = np.clip((times - keys[index]) / np.where(length > 0.0, length, 1.0), 0.0, 1.0)[:, None]
+    begin, end = values[index], values[after]
+    if not is_turn:
+        return (1.0 - part) * begin + part * end
+    cosine = np.sum(begin * end, axis=1, keepdims=True)
+    angle = np.arccos(np.minimum(np.abs(cosine), 1.0))
+    sine = np.where(angle < 1e-6, 1.0, np.sin(angle))
+    first = np.where(angle < 1e-6, 1.0 - part, np.sin((1.0 - part) * angle) / sine)
+    return first * begin + np.where(angle < 1e-6, part, np.sin(part * angle) / sine) * np.where(cosine < 0.0, -end, end)

@@ -47,10 +47,13 @@ class Gltf:
         self.content["scenes"][0]["nodes"].append(number)
         return number
 
-    def move_node(self, node, places):
-        """Keys a node's place at every frame, at the times of the objects' keys."""
-        animation = self.content["animations"][0]
-        animation["samplers"].append({"input": animation["samplers"][0]["input"], "interpolation": "LINEAR",
+    def move_node(self, node, places, rate):
+        """Keys a node's place at every frame, at the times of objects that have a key at each where there is one."""
+        animation, accessors = self.content["animations"][0], self.content["accessors"]
+        times = next((sampler["input"] for sampler in animation["samplers"] if accessors[sampler["input"]]["count"] == len(places)), None)
+        if times is None:
+            times = self._accessor((np.arange(len(places)) / rate).astype("<f4").reshape(-1, 1), _FLOAT)
+        animation["samplers"].append({"input": times, "interpolation": "LINEAR",
                                       "output": self._accessor(y_up(places).astype("<f4"), _FLOAT)})
         animation["channels"].append({"sampler": len(animation["samplers"]) - 1, "target": {"node": node, "path": "translation"}})
 

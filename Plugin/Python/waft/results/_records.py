@@ -53,10 +53,11 @@ _INDEX = {"type": "integer", "minimum": 0, "maximum": 1 << 31}
 _ANIMATION = _object("channels samplers", channels=_list({"type": "object"}), samplers=_list(_object("input", input=_INDEX), minItems=1))
 _EXTRAS = {"type": "object"}
 GLTF = _object("asset nodes animations accessors bufferViews buffers scenes",
-               asset=_object("extras", extras=_object("framesPerSecond", framesPerSecond={
+               asset=_object("extras", extras=_object("framesPerSecond", keys=_object("frames", frames={
+                   "type": "integer", "minimum": 1, "maximum": 1000000}), framesPerSecond={
                    "type": "number", "minimum": 0.001, "maximum": 1000000})),
                nodes=_list(_NODE, minItems=1), animations=_list(_ANIMATION, minItems=1),
-               accessors=_list(_object("count bufferView", count=_INDEX, bufferView=_INDEX)),
+               accessors=_list(_object("count bufferView", count=_INDEX, bufferView=_INDEX, byteOffset=_INDEX)),
                bufferViews=_list(_object("byteLength", byteLength=_INDEX, byteOffset=_INDEX)),
                buffers=_list(_object("byteLength", byteLength=_INDEX), minItems=1, maxItems=1),
                scenes=_list(_object("nodes", nodes=_list(_INDEX), extras=_EXTRAS), minItems=1),

@@ -58,7 +58,7 @@ def _with_surroundings(folder, parts):
             if "ground" in parts:
                 _add_ground(gltf, bounds, obstacle.ground)
         elif "obstacles" in parts:
-            _add_obstacle(gltf, obstacle)
+            _add_obstacle(gltf, obstacle, rate)
     if "marks" in parts:
         for mark in _pagedata.marks_of(below):
             _add_mark(gltf, mark)
@@ -75,12 +75,12 @@ def _add_ground(gltf, bounds, height):
     gltf.add_node("ground", middle, mesh=mesh)
 
 
-def _add_obstacle(gltf, obstacle):
+def _add_obstacle(gltf, obstacle, rate):
     name = f"obstacle-{obstacle.number}"
     middle = 0.5 * (obstacle.points.min(axis=0) + obstacle.points.max(axis=0))
     node = gltf.add_node(name, middle, mesh=gltf.add_mesh(name, obstacle.points - middle, obstacle.triangles, _STONE))
     if obstacle.shifts is not None:
-        gltf.move_node(node, middle + obstacle.shifts)
+        gltf.move_node(node, middle + obstacle.shifts, rate)
 
 
 def _add_mark(gltf, mark):

@@ -90,13 +90,14 @@ def write_results(run, place, checkpoint, is_shown_alone=False):
     checkpoint.copy_plan("planned.vtp")
     write_bodies(run, place)
     progress = _write_convergence(run, place)
-    write_xml(_posed_rows(run), place.path("constraints.vtp"))
+    rows = _posed_rows(run)
+    write_xml(rows, place.path("constraints.vtp"))
     if run.assimilation is not None:
         write_csv(place.path("rounds.csv"), *table_rows(run.output("assimilation", 5)))
     if run.fit is not None:
         write_xml(run.output("fit"), place.path(FITTED))
     _write_report(run, place.path("constraints.csv"))
-    _write_animation(run, place)
+    _write_animation(run, rows, place)
     if not is_shown_alone:
         _write_fields(run, place, checkpoint)
     efforts["writing"] = writing.end().as_json()
@@ -281,7 +282,7 @@ def _write_report(run, path):
     write_csv(path, header, [[row[name] for name in header] for row in run.report])
 
 
-def _write_animation(run, place):
+def _write_animation(run, rows, place):
     from waft.vtkWaftFilters import vtkMotionAnimationWriter
 
     writer = vtkMotionAnimationWriter()
@@ -291,6 +292,7 @@ def _write_animation(run, place):
     writer.SetInputDataObject(0, run.output("rotation", 1))
     writer.SetInputDataObject(1, run.output("reader", 0))
     writer.SetInputDataObject(2, run.output("reader", 3))
+    writer.SetInputDataObject(3, rows)
     for name in ("animation.glb", *_tables_of_poses(run.request)):
         writer.SetFileName(str(place.path(name)))
         if not writer.Write():

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Export/AnimatedObject.h"
+
+#include <cmath>
+#include <string>
+
+namespace waft
+{
+
+Result CheckAnimated(const std::vector<AnimatedShape>& shapes,
+                     const std::vector<AnimatedObject>& objects)
+{
+  for (const AnimatedShape& shape : shapes)
+  {
+    const std::size_t points = shape.Body.Mesh.Points.size();
+    const std::string name = "shape '" + shape.Body.Name + "'";
+    if (shape.Body.Mesh.Triangles.empty())
+    {
+      return Result::Error(name + " has no triangles");
+    }
+    if ((!shape.Normals.empty() && shape.Normals.size() != points) ||
+        (!shape.Body.TextureCoordinates.empty() && shape.Body.TextureCoordinates.size() != points))
+    {
+      return Result::Error(name + ": expected a normal and a texture coordinate for each of " +
+                           std::to_string(points) + " points");
+    }
+    for (const auto& triangle : shape.Body.Mesh.Triangles)
+    {
+      for (const int corner : triangle)
+      {
+        if (corner < 0 || corner >= static_cast<int>(points))
+        {
+          return Result::Error(name + ": a triangle names point " + std::to_string(corner) +
+                               " of " + std::to_string(points));
+        }
+      }
+    }
+  }
+  for (const AnimatedObject& object : objects)
+  {
+    const std::string name = "object " + std::to_string(object.ObjectId);
+    if (object.Shape >= shapes.size())
+    {
+      return Result::Error(name + ": shape " + std::to_string(object.Shape) + " of " +
+                           std::to_string(shapes.size()) + ": expected a number below");
+    }
+    if (object.Positions.empty() || object.Positions.size() != objects[0].Positions.size() ||
+        object.Orientations.size() != object.Positions.size())
+    {
+      return Result::Error(name + ": its poses have another number of frames");
+    }
+    for (std::size_t k = 0; k < object.Positions.size(); ++k)
+    {
+      if (!object.Positions[k].allFinite() || !object.Orientations[k].coeffs().allFinite())
+      {
+        return Result::Error(name + ", frame " + std::to_string(k) + ": a number is not finite");
+      }
+    }
+  }
+  return Result::Ok();
+}
+
+} // namespace waft

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an animation shows: shapes, and objects that move.
+#pragma once
+
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Export/ImageFile.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// A shape and its texture.
+struct AnimatedShape
+{
+  Shape Body;                // z up, metres
+  std::vector<Vec3> Normals; // one a point; empty: made from the triangles
+  ImageFile Texture;         // embedded; without it, or without texture coordinates, Body.Color
+};
+
+/// An object and its motion, one sample a frame; z up.
+struct AnimatedObject
+{
+  int ObjectId = 0;
+  std::size_t Shape = 0; // index in the list of shapes
+  std::vector<Vec3> Positions;
+  std::vector<Quat> Orientations; // body to world, unit
+  std::vector<int> Marks = {};    // frames whose keys stay when keys are thinned
+};
+
+/// Fails on poses of different lengths, an unknown shape, a mesh that is not one, or numbers that
+/// are not finite.
+Result CheckAnimated(const std::vector<AnimatedShape>& shapes,
+                     const std::vector<AnimatedObject>& objects);
+
+} // namespace waft
