@@ -7,6 +7,26 @@
 namespace waft
 {
 
+BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond)
+{
+  BodyKeys keys;
+  for (std::size_t k = 0; k < object.Positions.size(); ++k)
+  {
+    const Vec3 place = ToYUp(object.Positions[k]);
+    const Vec3 axis = ToYUp(object.Orientations[k].vec());
+    for (const double x : { place.x(), place.y(), place.z() })
+    {
+      keys.Places.push_back(static_cast<float>(x));
+    }
+    for (const double x : { axis.x(), axis.y(), axis.z(), object.Orientations[k].w() })
+    {
+      keys.Turns.push_back(static_cast<float>(x));
+    }
+    keys.Times.push_back(static_cast<float>(static_cast<double>(k) / framesPerSecond));
+  }
+  return keys;
+}
+
 Result CheckAnimated(const std::vector<AnimatedShape>& shapes,
                      const std::vector<AnimatedObject>& objects)
 {

@@ -5,6 +5,7 @@
 #include "Base/Result.h"
 #include "Base/Shape.h"
 #include "Export/ImageFile.h"
+#include "Export/KeyThinning.h"
 
 #include <vector>
 
@@ -28,6 +29,15 @@ struct AnimatedObject
   std::vector<Quat> Orientations; // body to world, unit
   std::vector<int> Marks = {};    // frames whose keys stay when keys are thinned
 };
+
+/// A point or a direction by the axes of glTF.
+inline Vec3 ToYUp(const Vec3& v)
+{
+  return Vec3(v.x(), v.z(), -v.y());
+}
+
+/// The keys of an object at all frames, y up.
+BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond);
 
 /// Fails on poses of different lengths, an unknown shape, a mesh that is not one, or numbers that
 /// are not finite.

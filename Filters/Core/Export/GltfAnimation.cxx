@@ -30,11 +30,6 @@ struct Elements
 
 constexpr std::size_t NumbersOfPose = BodyKeys::PlaceWidth + BodyKeys::TurnWidth;
 
-Vec3 ToYUp(const Vec3& v)
-{
-  return Vec3(v.x(), v.z(), -v.y());
-}
-
 Elements<float> Vectors(const std::vector<Vec3>& vectors)
 {
   Elements<float> elements{ {}, TINYGLTF_TYPE_VEC3, 3 };
@@ -47,24 +42,6 @@ Elements<float> Vectors(const std::vector<Vec3>& vectors)
     }
   }
   return elements;
-}
-
-/// The keys of an object at all frames.
-BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond)
-{
-  BodyKeys keys;
-  keys.Places = Vectors(object.Positions).Values;
-  for (std::size_t k = 0; k < object.Orientations.size(); ++k)
-  {
-    const Quat& q = object.Orientations[k];
-    const Vec3 v = ToYUp(q.vec());
-    for (const double x : { v.x(), v.y(), v.z(), q.w() })
-    {
-      keys.Turns.push_back(static_cast<float>(x));
-    }
-    keys.Times.push_back(static_cast<float>(static_cast<double>(k) / framesPerSecond));
-  }
-  return keys;
 }
 
 tinygltf::Value Extras(const std::string& name, tinygltf::Value value)
@@ -141,6 +118,12 @@ public:
     }
   }
 
+  /// Of each object before the first one is added, where keys are thinned.
+  void Announce(const AnimatedObject& object)
+  {
+    this->Keys.Add(KeysOf(object, this->FramesPerSecond), object.Marks);
+  }
+
   void AddObject(const AnimatedObject& object, double placeTolerance)
   {
     tinygltf::Node node;
@@ -180,25 +163,18 @@ public:
   }
 
 private:
-  /// The accessor of the times of an object's keys, of which those that can be left out are gone
-  /// afterwards: of its own, or of all frames, whose times objects share.
+  /// Leaves out keys of an object that can be; returns the accessor of the times of the others,
+  /// which objects share.
   int TimesOf(const AnimatedObject& object, double placeTolerance, BodyKeys& keys)
   {
-    if (this->KeysView >= 0)
+    const double turnTolerance = KeyTurnTolerance * std::acos(-1.0) / 180.0;
+    const std::size_t list =
+      this->KeysView >= 0 ? this->Keys.Thin(object.Marks, placeTolerance, turnTolerance, keys) : 0;
+    if (list == this->Times.size())
     {
-      const std::vector<std::size_t> kept =
-        KeysToKeep(keys, object.Marks, placeTolerance, KeyTurnTolerance * std::acos(-1.0) / 180.0);
-      if (kept.size() * (1 + NumbersOfPose) < keys.Count() * NumbersOfPose)
-      {
-        KeepKeys(kept, keys);
-        return this->AddAccessor(Elements<float>{ keys.Times }, 0);
-      }
+      this->Times.push_back(this->AddAccessor(Elements<float>{ keys.Times }, 0));
     }
-    if (this->Times < 0)
-    {
-      this->Times = this->AddAccessor(Elements<float>{ keys.Times }, 0);
-    }
-    return this->Times;
+    return this->Times[list];
   }
 
   void SayHowThinned()
@@ -333,8 +309,9 @@ private:
   tinygltf::Model Model;
   double FramesPerSecond;
   std::size_t Poses = 0, Frames = 0, Kept = 0;
-  int Times = -1;    // accessor of those of all frames
-  int KeysView = -1; // of an animation whose keys are thinned
+  KeyThinning Keys;
+  std::vector<int> Times; // accessors of lists
+  int KeysView = -1;      // of an animation whose keys are thinned
 };
 } // namespace
 
@@ -364,7 +341,16 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<Anima
     if (!objects.empty())
     {
       const std::size_t frames = objects[0].Positions.size();
-      writer.BeginMotion(objects.size(), frames, objects.size() * frames > mostWholeKeys);
+      const bool isThinned = objects.size() * frames > mostWholeKeys;
+      writer.BeginMotion(objects.size(), frames, isThinned);
+      for (std::size_t i = 0; isThinned && i < objects.size(); ++i)
+      {
+        if (!monitor.Tick(0.0, "Writing the animation"))
+        {
+          return Result::Stopped();
+        }
+        writer.Announce(objects[i]);
+      }
     }
     for (std::size_t i = 0; i < objects.size(); ++i)
     {

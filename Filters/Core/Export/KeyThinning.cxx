@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace waft
 {
@@ -98,16 +99,11 @@ private:
   double MostSquared, LeastCosine;
 };
 
-} // namespace
-
-std::vector<std::size_t> KeysToKeep(const BodyKeys& keys, const std::vector<int>& marks,
-                                    double placeTolerance, double turnTolerance)
+/// The numbers of the keys that are kept: with `isGreedy` up to the tolerances, else but for those
+/// at which the body lies still.
+std::vector<std::size_t> Kept(const Thinner& thinner, std::size_t count,
+                              const std::vector<int>& marks, bool isGreedy)
 {
-  const std::size_t count = keys.Count();
-  if (count == 0)
-  {
-    return {};
-  }
   std::vector<std::size_t> stops{ count - 1 }; // where a span ends in any case
   for (const int mark : marks)
   {
@@ -117,7 +113,6 @@ std::vector<std::size_t> KeysToKeep(const BodyKeys& keys, const std::vector<int>
     }
   }
   std::sort(stops.begin(), stops.end());
-  const Thinner thinner(keys, placeTolerance, turnTolerance);
   std::vector<std::size_t> kept{ 0 };
   auto stop = stops.begin();
   while (kept.back() < count - 1)
@@ -125,7 +120,7 @@ std::vector<std::size_t> KeysToKeep(const BodyKeys& keys, const std::vector<int>
     const std::size_t from = kept.back();
     stop = std::upper_bound(stop, stops.end(), from);
     std::size_t to = std::max(from + 1, thinner.StillUntil(from, *stop));
-    const std::size_t most = std::min(*stop, from + LongestSpan);
+    const std::size_t most = isGreedy ? std::min(*stop, from + LongestSpan) : to;
     while (to < most && thinner.Spans(from, to + 1))
     {
       ++to;
@@ -135,24 +130,76 @@ std::vector<std::size_t> KeysToKeep(const BodyKeys& keys, const std::vector<int>
   return kept;
 }
 
-void KeepKeys(const std::vector<std::size_t>& kept, BodyKeys& keys)
+/// Both ends of each gap between keys, which say all of few numbers.
+std::vector<std::size_t> GapsOf(const std::vector<std::size_t>& kept)
 {
-  const auto keep = [&](std::size_t width, std::vector<float>& values)
+  std::vector<std::size_t> gaps;
+  for (std::size_t i = 1; i < kept.size(); ++i)
   {
-    std::vector<float> some;
-    some.reserve(kept.size() * width);
-    for (const std::size_t k : kept)
+    if (kept[i] > kept[i - 1] + 1)
     {
-      for (std::size_t i = 0; i < width; ++i)
-      {
-        some.push_back(values[k * width + i]);
-      }
+      gaps.insert(gaps.end(), { kept[i - 1], kept[i] });
     }
-    values.swap(some);
-  };
-  keep(1, keys.Times);
-  keep(BodyKeys::PlaceWidth, keys.Places);
-  keep(BodyKeys::TurnWidth, keys.Turns);
+  }
+  return gaps;
+}
+
+void Keep(const std::vector<std::size_t>& kept, std::size_t width, std::vector<float>& values)
+{
+  std::vector<float> some;
+  some.reserve(kept.size() * width);
+  for (const std::size_t k : kept)
+  {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(k * width);
+    some.insert(some.end(), first, first + static_cast<std::ptrdiff_t>(width));
+  }
+  values.swap(some);
+}
+
+} // namespace
+
+void KeyThinning::Add(const BodyKeys& keys, const std::vector<int>& marks)
+{
+  const Thinner thinner(keys, 0.0, 0.0);
+  ++this->Shared[GapsOf(Kept(thinner, keys.Count(), marks, false))].Bodies;
+}
+
+std::size_t KeyThinning::Thin(const std::vector<int>& marks, double placeTolerance,
+                              double turnTolerance, BodyKeys& keys)
+{
+  constexpr std::size_t width = BodyKeys::PlaceWidth + BodyKeys::TurnWidth;
+  const std::size_t count = keys.Count();
+  std::vector<std::size_t> kept(count); // all: their times are there once
+  std::iota(kept.begin(), kept.end(), 0);
+  std::size_t numbers = count * width;
+  std::vector<std::size_t> gaps;
+  const Thinner thinner(keys, placeTolerance, turnTolerance);
+  std::vector<std::size_t> moving = Kept(thinner, count, marks, false);
+  std::vector<std::size_t> ownGaps = GapsOf(moving);
+  const std::size_t bodies = std::max<std::size_t>(1, this->Shared[ownGaps].Bodies);
+  if (moving.size() * width + moving.size() / bodies < numbers)
+  {
+    numbers = moving.size() * width + moving.size() / bodies;
+    kept.swap(moving);
+    gaps.swap(ownGaps);
+  }
+  std::vector<std::size_t> few = Kept(thinner, count, marks, true);
+  std::size_t number = this->Numbers;
+  if (few.size() * (width + 1) < numbers)
+  {
+    kept.swap(few);
+  }
+  else
+  {
+    List& list = this->Shared[gaps];
+    list.Number = std::min(list.Number, number);
+    number = list.Number;
+  }
+  this->Numbers = std::max(this->Numbers, number + 1);
+  Keep(kept, 1, keys.Times);
+  Keep(kept, BodyKeys::PlaceWidth, keys.Places);
+  Keep(kept, BodyKeys::TurnWidth, keys.Turns);
+  return number;
 }
 
 } // namespace waft

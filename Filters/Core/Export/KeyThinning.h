@@ -5,6 +5,7 @@
 #include "Base/Types.h"
 
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace waft
@@ -31,16 +32,35 @@ struct BodyKeys
   std::size_t Count() const { return this->Times.size(); }
 };
 
-/// The numbers of the keys that are kept, ascending: the first, the last, all of `marks` (those
-/// that are no key are passed over), and of the others as few as a greedy choice leaves: from a key
-/// to the next kept one are as many as can be left out, up to 63, or any number where the body lies
-/// still. Each that is left out is within `placeTolerance` [m] and `turnTolerance` [rad] of what a
-/// reader makes of the two kept beside it: a place on the straight line, a turn by glTF's slerp,
-/// and as well by the mean of components, made a unit again, that some readers take for it.
-std::vector<std::size_t> KeysToKeep(const BodyKeys& keys, const std::vector<int>& marks,
-                                    double placeTolerance, double turnTolerance);
+/// Chooses the keys of bodies that are kept, and which bodies have one list of times together.
+///
+/// Kept are the first, the last, and all of `marks` (those that are no key are passed over). Of the
+/// others either those alone are left out at which a body lies still, which bodies that come to lie
+/// at the same frame share the times of; or a greedy choice leaves few, and the body has times of
+/// its own: from a key to the next kept one are as many as can be left out, up to 63, or any number
+/// where it lies still. What takes the fewest numbers is taken, all keys where
+/// that is no more. Each that is left out is within
+/// `placeTolerance` [m] and `turnTolerance` [rad] of what a reader makes of the two kept beside it:
+/// a place on the straight line, a turn by glTF's slerp, and as well by the mean of components,
+/// made a unit again, that some readers take for it.
+class KeyThinning
+{
+public:
+  /// To be told of each body before the first is thinned.
+  void Add(const BodyKeys& keys, const std::vector<int>& marks);
+  /// Takes those away that are left out. Returns the number of its list of times: one that was
+  /// given before, or the next; they begin at 0.
+  std::size_t Thin(const std::vector<int>& marks, double placeTolerance, double turnTolerance,
+                   BodyKeys& keys);
 
-/// These alone.
-void KeepKeys(const std::vector<std::size_t>& kept, BodyKeys& keys);
+private:
+  struct List
+  {
+    std::size_t Bodies = 0;
+    std::size_t Number = AnyNumberOfKeys; // not given yet
+  };
+  std::map<std::vector<std::size_t>, List> Shared; // by the ends of gaps between keys
+  std::size_t Numbers = 0;
+};
 
 } // namespace waft
