@@ -31,7 +31,10 @@ from waft.page import write_page  # noqa: E402
 from waft.page import _thinning  # noqa: E402
 from waft.page import writing as pages  # noqa: E402
 from waft.page._pagedata import describe  # noqa: E402
+from waft.reading import read_blocks, read_surface  # noqa: E402
+from waft.results.exporting import export  # noqa: E402
 from waft.synthesis import synthesize  # noqa: E402
+from waft.vtkWaftFilters import vtkMotionAnimationWriter  # noqa: E402
 
 SCENES, WORK = (pathlib.Path(argument) for argument in sys.argv[1:3])
 FLOWN = WORK / "flown"
@@ -66,6 +69,63 @@ def _keys(animation):
         data = binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]
         found[number] = np.frombuffer(data, "<f4").reshape(gltf["accessors"][number]["count"], -1)
     return found
+
+
+def _often(data, times):
+    """Poses or objects several times, each object with an id of its own."""
+    all_of = vtkAppendPolyData()
+    for number in range(times):
+        copy = data.NewInstance()
+        copy.DeepCopy(data)
+        for arrays in (copy.GetPointData(), copy.GetCellData()):
+            ids = arrays.GetArray("ObjectId")
+            if ids is not None:
+                vtk_to_numpy(ids)[...] += 48 * number
+        all_of.AddInputData(copy)
+    all_of.Update()
+    result = all_of.GetOutput()
+    result.GetFieldData().DeepCopy(data.GetFieldData())
+    return result
+
+
+def _write_animation(place, times, marks):
+    """animation.glb of the word several times; with its marks it may be thinned."""
+    writer = vtkMotionAnimationWriter()
+    for port, name in enumerate(("poses.vtp", "objects.vtp")):
+        writer.SetInputDataObject(port, _often(read_surface(FLOWN / name), times))
+    shapes = read_blocks(FLOWN / "shapes.vtm")
+    for block in range(shapes.GetNumberOfBlocks()):
+        shapes.GetBlock(block).GetFieldData().RemoveArray("Texture")  # it is beside the file
+    writer.SetInputDataObject(2, shapes)
+    if marks:
+        writer.SetInputDataObject(3, read_surface(FLOWN / "constraints.vtp"))
+    writer.SetFileName(str(place / "animation.glb"))
+    if not writer.Write():
+        raise AssertionError("not written")
+    return (place / "animation.glb").read_bytes()
+
+
+def _motion(animation):
+    """(JSON, {(node, path): (times, values)}) of an animation.glb."""
+    size = int.from_bytes(animation[12:16], "little")
+    gltf, binary = json.loads(animation[20:20 + size]), animation[28 + size:]
+
+    def read(number, width):
+        accessor = gltf["accessors"][number]
+        first = gltf["bufferViews"][accessor["bufferView"]].get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        return np.frombuffer(binary, "<f4", accessor["count"] * width, first).reshape(-1, width)
+    motion, found = gltf["animations"][0], {}
+    for channel in motion["channels"]:
+        sampler, path = motion["samplers"][channel["sampler"]], channel["target"]["path"]
+        found[channel["target"]["node"], path] = (read(sampler["input"], 1)[:, 0], read(sampler["output"], 3 + (path == "rotation")))
+    return gltf, found
+
+
+def _mesh_points(gltf, animation, node):
+    """Points of the mesh of a node."""
+    accessor = gltf["accessors"][gltf["meshes"][gltf["nodes"][node]["mesh"]]["primitives"][0]["attributes"]["POSITION"]]
+    first = 28 + int.from_bytes(animation[12:16], "little") + gltf["bufferViews"][accessor["bufferView"]].get("byteOffset", 0)
+    return np.frombuffer(animation, "<f4", 3 * accessor["count"], first).reshape(-1, 3)
 
 
 def _boxes(*bounds):
@@ -167,6 +227,63 @@ class ContentsTest(unittest.TestCase):
         for mark, shown in zip(whole["marks"], run["marks"]):
             self.assertEqual(mark["frame"], shown["frame"])
             self.assertLessEqual(abs(3 * shown["shown"] - mark["frame"]), 2)
+
+    def test_keys_that_are_left_out_are_there_again(self):
+        place = folder("many", "planned.vtp")
+        gltf, whole = _motion(_write_animation(place, 8, marks=False))
+        self.assertNotIn("keys", gltf["asset"]["extras"])
+        _, marked = _motion(_write_animation(place, 6, marks=True))  # 86,400 poses
+        self.assertTrue(all(len(times) == 300 for times, _ in marked.values()))
+        thin = _write_animation(place, 8, marks=True)  # 115,200
+        gltf, kept = _motion(thin)
+        said = gltf["asset"]["extras"]["keys"]
+        self.assertEqual((said["frames"], said["of"], said["kept"]), (300, 384 * 300, sum(len(times) for times, _ in kept.values()) // 2))
+        self.assertLess(said["kept"], said["of"])
+        for row in result_files.read_rows(FLOWN):
+            for path in ("translation", "rotation"):
+                times, values = kept[row.object, path]
+                at = np.flatnonzero(times == np.float32(row.frame / 30.0))
+                self.assertTrue(np.array_equal(values[at], whole[row.object, path][1][row.frame:row.frame + 1]), row)
+        sizes = {node: np.ptp(_mesh_points(gltf, thin, node), axis=0).max() for node in range(384)}
+        for every, most in ((1, 384 * 300), (3, 384 * 100)):
+            with mock.patch.object(_thinning, "MOST_POSES", most):
+                run, shown = describe(place)
+            self.assertEqual((run["every"], run["frames"]), (every, 300 // every))
+            content, filled = _motion(shown)
+            self.assertNotIn("keys", content["asset"]["extras"])
+            for (node, path), (times, values) in filled.items():
+                wanted = whole[node, path][1][::every]
+                self.assertTrue(np.array_equal(times, whole[node, path][0][::every]))
+                if path == "translation":
+                    self.assertLess(np.linalg.norm(values - wanted, axis=1).max(), 0.005 * sizes[node] + 1e-6)
+                else:
+                    cosine = np.abs(np.sum(values.astype(float) * wanted, axis=1)) / np.linalg.norm(wanted, axis=1)
+                    self.assertGreater(cosine.min(), np.cos(np.radians(0.5) / 2.0) - 1e-7)
+        self.assertEqual(export(place, "glb", ("obstacles",)), str(place / "scene.glb"))
+        gltf, moved = _motion((place / "scene.glb").read_bytes())
+        times, values = moved[next(number for number, node in enumerate(gltf["nodes"]) if node["name"] == "obstacle-1"), "translation"]
+        self.assertEqual((len(times), len(values)), (300, 300))
+        self.assertEqual(gltf["asset"]["extras"]["keys"], said)
+
+    def test_a_thinned_animation_that_is_damaged_is_named(self):
+        place = folder("damaged", "planned.vtp")
+        whole = _write_animation(place, 8, marks=True)
+        size = int.from_bytes(whole[12:16], "little")
+        content = json.loads(whole[20:20 + size])
+        for change in (lambda gltf: gltf["accessors"][-1].update(count=1 << 30), lambda gltf: gltf["accessors"][-1].update(byteOffset=1 << 30),
+                       lambda gltf: gltf["asset"]["extras"]["keys"].update(frames=0), lambda gltf: gltf["accessors"].pop(),
+                       lambda gltf: gltf["animations"][0]["channels"][0].update(sampler="a"),
+                       lambda gltf: gltf["animations"][0]["samplers"][3].update(output=0), lambda gltf: gltf["bufferViews"].append({"byteLength": 1}),
+                       lambda gltf: gltf["animations"][0]["samplers"][5].update(input=1 << 20)):
+            gltf = json.loads(json.dumps(content))
+            change(gltf)
+            text = json.dumps(gltf).encode()
+            text += b" " * (-len(text) % 4)
+            rest = whole[20 + size:]
+            (place / "animation.glb").write_bytes(whole[:8] + b"".join(number.to_bytes(4, "little") for number in (
+                20 + len(text) + len(rest), len(text))) + b"JSON" + text + rest)
+            with self.assertRaisesRegex(BadInput, "animation.glb: "):
+                describe(place)
 
     def test_obstacles_move_and_the_ground_is_a_height(self):
         run, _, _ = contents(FLOWN)
