@@ -18,8 +18,8 @@ constexpr std::size_t AnyNumberOfKeys = std::numeric_limits<std::size_t>::max();
 
 /// How far a pose that is left out may be from what its neighbours give back: too little to be
 /// seen.
-constexpr double KeyPlaceTolerance = 0.005; // of the body's largest extent
-constexpr double KeyTurnTolerance = 0.5;    // degrees
+constexpr double KeyPlaceTolerance = 0.05; // of the body's largest extent
+constexpr double KeyTurnTolerance = 2.0;   // degrees
 
 /// Keys of one body as an animation holds them.
 struct BodyKeys

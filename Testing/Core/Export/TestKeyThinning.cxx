@@ -21,8 +21,8 @@ using namespace waft;
 constexpr int Frames = 300;
 constexpr double Rate = 24000.0 / 1001.0;
 constexpr double Extent = 0.06; // m, of the body
-constexpr double PlaceTolerance = 0.005 * Extent;
-constexpr double TurnTolerance = 0.5; // degrees
+constexpr double PlaceTolerance = KeyPlaceTolerance * Extent;
+constexpr double TurnTolerance = KeyTurnTolerance; // degrees
 constexpr int LongestSpan = 64;
 constexpr double Rounding = 1e-9; // m, and degrees
 
@@ -371,8 +371,8 @@ TEST_F(KeyThinningTest, TheFileSaysHowManyKeysOfHowManyAndHowFarOff)
   EXPECT_EQ(keys.Get("kept").Get<int>(), kept);
   EXPECT_EQ(keys.Get("of").Get<int>(), Frames * static_cast<int>(this->Whole.size()));
   EXPECT_EQ(keys.Get("frames").Get<int>(), Frames);
-  EXPECT_EQ(keys.Get("placeTolerance").Get<double>(), 0.005);
-  EXPECT_EQ(keys.Get("turnTolerance").Get<double>(), 0.5);
+  EXPECT_EQ(keys.Get("placeTolerance").Get<double>(), KeyPlaceTolerance);
+  EXPECT_EQ(keys.Get("turnTolerance").Get<double>(), KeyTurnTolerance);
   EXPECT_EQ(this->ThinnedModel.asset.extras.Get("framesPerSecond").Get<double>(), Rate);
   EXPECT_FALSE(this->WholeModel.asset.extras.Has("keys"));
 }
