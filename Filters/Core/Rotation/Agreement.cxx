@@ -56,7 +56,7 @@ std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
     for (int k = first; k < first + span; ++k)
     {
       Floor floor;
-      const bool near = FindFloor(plan, k, path.Step, floor);
+      const bool near = FindFloor(plan, k, path.Step, &state.Orientation, floor);
       AdvanceFrame(body, path, k, Settling(), near ? &floor : nullptr, state);
     }
     away.push_back(LogMap(state.Orientation * poses.Orientations[to].conjugate()).norm());

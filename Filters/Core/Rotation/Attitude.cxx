@@ -248,8 +248,10 @@ private:
       }
       this->IsLive = true;
       Floor floor;
-      const bool near = FindFloor(this->Plan, k, this->Path.Step, floor);
-      if (near && landing && landing->IsNear(k))
+      const bool comesDown = landing && landing->IsNear(k);
+      const bool near =
+        FindFloor(this->Plan, k, this->Path.Step, comesDown ? nullptr : &now, floor);
+      if (near && comesDown)
       {
         landing->Support(k, now, this->Path.Step, floor);
       }

@@ -3,7 +3,9 @@
 
 #include "Base/NumberText.h"
 #include "Base/SpreadPushes.h"
+#include "Rotation/PlaneBeside.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
@@ -30,9 +32,19 @@ std::vector<Vec3> Spread(const std::vector<Vec3>& own, int reach, const FrameMar
   }
   return spread;
 }
+
+/// How far an obstacle goes from a frame to the next.
+Vec3 Moved(const ObstacleSet& obstacles, int obstacleId, int frame)
+{
+  const std::vector<ObstacleMesh>& all = obstacles.Obstacles();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [obstacleId](const ObstacleMesh& obstacle)
+                                  { return obstacle.ObstacleId == obstacleId; });
+  return found->Offset(frame + 1.0) - found->Offset(frame);
+}
 } // namespace
 
-bool FindFloor(const AttitudePlan& plan, int frame, double step, Floor& floor)
+bool FindFloor(const AttitudePlan& plan, int frame, double step, const Quat* passing, Floor& floor)
 {
   if (plan.Obstacles == nullptr)
   {
@@ -53,6 +65,20 @@ bool FindFloor(const AttitudePlan& plan, int frame, double step, Floor& floor)
   SurfaceHit hit;
   plan.Obstacles->SignedDistance(places[frame + 1], frame + 1, hit);
   floor.Normal = hit.Normal;
+  if (passing != nullptr)
+  {
+    PassingBody body{
+      floor.Points, reach, *passing, frame + 1.0, places[frame + 1], places[frame]
+    };
+    body.Before += Moved(*plan.Obstacles, hit.ObstacleId, frame);
+    const SurfaceHit plane = PlaneBeside(*plan.Obstacles, hit, body);
+    if (plane.Normal != hit.Normal)
+    {
+      floor.Normal = plane.Normal;
+      floor.Height = (body.Before - plane.Point).dot(plane.Normal);
+      floor.Rate = (body.Center - body.Before).dot(plane.Normal) / step;
+    }
+  }
   return true;
 }
 

@@ -13,8 +13,9 @@ namespace waft
 {
 
 /// The surface nearest to the centre from a frame to the next, which are `step` seconds of the
-/// body's turning apart; false when none is in reach.
-bool FindFloor(const AttitudePlan& plan, int frame, double step, Floor& floor);
+/// body's turning apart; false when none is in reach. passing: the pose of a body that does not
+/// land there, or none: its floor is the plane of PlaneBeside.
+bool FindFloor(const AttitudePlan& plan, int frame, double step, const Quat* passing, Floor& floor);
 
 /// What the flight has left of each frame.
 struct FrameMarks

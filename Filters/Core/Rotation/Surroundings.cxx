@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/Surroundings.h"
 
+#include "Rotation/PlaneBeside.h"
 #include "Rotation/RigidBody.h"
 
 #include <cmath>
@@ -72,6 +73,13 @@ bool Surroundings::LookAround()
     Scene& scene = this->Scenes[k];
     SurfaceHit hit;
     this->Input.Obstacles->SignedDistance((*this->Input.Positions)[k], static_cast<double>(k), hit);
+    if ((*this->Input.Frames)[k].Freedom == PoseFreedom::Free)
+    {
+      const Vec3& place = (*this->Input.Positions)[k];
+      hit = PlaneBeside(*this->Input.Obstacles, hit,
+                        { &this->Input.Mesh->Points, this->Input.BoundingRadius,
+                          this->Orientations[k], static_cast<double>(k), place, place });
+    }
     scene.Planes.push_back({ hit.Point, hit.Normal });
     scene.Plain = this->FitsOnePlane(k);
     turns[k] = this->FlatTurn(k, hit.Normal);

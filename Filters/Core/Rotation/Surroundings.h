@@ -9,9 +9,9 @@
 namespace waft
 {
 
-/// A frame's surroundings are planes: that of the surface nearest to the centre, and those found
-/// since that a vertex was below of. A pose is turned by a blend between the one given (0) and the
-/// one that lies flat in them (1).
+/// A frame's surroundings are planes: that of the surface nearest to the centre (beside an edge
+/// that of PlaneBeside), and those found since that a vertex was below of. A pose is turned by a
+/// blend between the one given (0) and the one that lies flat in them (1).
 class Surroundings
 {
 public:

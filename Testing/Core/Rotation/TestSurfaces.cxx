@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies that land on level ground, on an obstacle and on a terrain, lie there and lift off again;
 // meshes that pass close by.
+#include "Base/Random.h"
 #include "Constraints/Rest.h"
 #include "Refining.h"
 #include "Rotation/Contact.h"
+#include "Rotation/PlaneBeside.h"
 
 using namespace waft;
 using namespace waft::fixtures;
@@ -334,4 +336,73 @@ TEST(Surfaces, PosesOfAPathThatTurnOverInTheGroundAreFlownAnew)
   {
     EXPECT_LT(Angle(poses[k], poses[k - 1]), 0.699) << k;
   }
+}
+
+TEST(Surfaces, WhoPassesUnderAnEdgeDoesNotPop)
+{
+  // Down beside a lintel and in below it: while the centre passes the edge at a third of the
+  // sheet's length, the plane at the surface's nearest point turns by 70 degrees in two frames.
+  for (const bool moves : { false, true })
+  {
+    ObstacleMesh lintel;
+    lintel.Mesh = MakeBox({ Vec3(-0.12, -1.0, 2.0), Vec3(0.12, 1.0, 2.16) });
+    std::vector<Vec3> path;
+    for (int k = 0; k < 60; ++k)
+    {
+      const double t = (k - 30) / 30.0;
+      const Vec3 offset = moves ? Vec3(0.3 * k / 30.0, 0.0, 0.0) : Vec3(Vec3::Zero());
+      path.push_back(offset +
+                     Vec3(-0.15 + 0.4 * t + (t < 0.0 ? -1.2 * t * t : 0.0), 0.0, 1.975 - 1.05 * t));
+      lintel.Offsets.push_back(offset);
+    }
+    const ObstacleSet gate = Build({ lintel });
+    for (int run = 0; run < 24; ++run)
+    {
+      Flown flown;
+      flown.Input = OneObject(Sheet(0.15, 0.12), path);
+      flown.Input.Obstacles = &gate;
+      flown.Input.Objects[0].SettlingSpeed = 0.9;
+      flown.Input.Objects[0].Orientation = ExpMap(Vec3(0.0, 0.26 * run, 0.0));
+      flown.Input.Objects[0].AngularVelocity = Vec3(0.0, 8.0, 0.0);
+      flown.Output = Refine(flown.Input);
+      const std::vector<Quat>& poses = flown.Output.Poses[0].Orientations;
+      for (std::size_t k = 1; k < path.size(); ++k)
+      {
+        EXPECT_GE(flown.Lowest(k), -1e-9) << run << ", frame " << k;
+        EXPECT_LT(Angle(poses[k], poses[k - 1]), 0.54) << run << ", frame " << k; // 31 degrees
+      }
+    }
+  }
+}
+
+TEST(Surfaces, APlaneBesideAnEdgeHasAllOfTheWallBelow)
+{
+  ObstacleMesh wall;
+  wall.Mesh = MakeBox({ Vec3(-0.001, -1.0, 0.0), Vec3(0.001, 1.0, 1.0) });
+  const ObstacleSet walls = Build({ wall });
+  const Shape sheet = Sheet(0.15, 0.12);
+  Random random(3);
+  int others = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    PassingBody body;
+    body.Points = &sheet.Mesh.Points;
+    body.Reach = std::hypot(0.075, 0.06);
+    body.Orientation = ExpMap(3.0 * random.Direction());
+    body.Center = Vec3(0.0, 0.0, 1.0) + random.Uniform(0.01, 0.09) * random.Direction();
+    body.Before = body.Center;
+    SurfaceHit nearest;
+    if (walls.SignedDistance(body.Center, 0.0, nearest) <= 0.0)
+    {
+      continue;
+    }
+    const SurfaceHit plane = PlaneBeside(walls, nearest, body);
+    others += plane.Normal != nearest.Normal ? 1 : 0;
+    EXPECT_GT((body.Center - plane.Point).dot(plane.Normal), 0.0) << i;
+    for (const Vec3& corner : wall.Mesh.Points)
+    {
+      EXPECT_LE((corner - plane.Point).dot(plane.Normal), 1e-9) << i;
+    }
+  }
+  EXPECT_GT(others, 100);
 }
