@@ -310,7 +310,8 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
         const Vec3 slip = std::exp(-SlipOnFloor * h) * (state.Velocity(body) - along);
         state.SetVelocity(body, along + slip);
       }
-      const ContactRoom room{ since, (i + 1) * h * fastest };
+      // A floor that may lift the centre instead turns it no faster than an eye follows.
+      const ContactRoom room{ since, (i + 1) * h * std::min(fastest, path.Ease.Above) };
       events.Touched = TouchFloor(body, now, state, room) || events.Touched;
     }
     events.Slowed = LimitTurning(body, fastest, state) || events.Slowed;

@@ -20,7 +20,7 @@ struct Floor
   double Give = 0.0;     // m, by which the floor may lift the centre before it turns the body
   double GiveRate = 0.0; // m/s
   double Weight = 0.0;   // N, that presses a body on it which touches; 0: the path carries it
-  bool Lifts = false;    // it may lift the centre by more than Give, where turning has a limit
+  bool Lifts = false;    // it may lift the centre by more than Give, so that it turns by less
 
   /// As it is later [s].
   Floor After(double time) const
