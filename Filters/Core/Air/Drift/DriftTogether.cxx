@@ -179,7 +179,7 @@ private:
     return static_cast<std::size_t>(after - this->RankBegins.begin()) - 1;
   }
 
-  /// Of the paths, frame by frame; what they cost.
+  /// Of the paths, frame by frame, to who may move; what they cost.
   double FindPushes(const std::vector<std::vector<Vec3>>& paths)
   {
     const std::size_t frames = this->FrameBegins.size() - 1;
@@ -193,7 +193,9 @@ private:
                  Push push;
                  for (std::size_t c = this->FrameBegins[f]; c < this->FrameBegins[f + 1]; ++c)
                  {
-                   if (FindPush(this->Contacts[c], paths, push))
+                   if (FindPush(this->Contacts[c], paths, push) &&
+                       (this->PlaceAt(push.A, push.Frame) != Nobody ||
+                        this->PlaceAt(push.B, push.Frame) != Nobody))
                    {
                      costs[f] += 0.5 * this->Weight * push.Depth * push.Depth;
                      pushes.push_back(push);
