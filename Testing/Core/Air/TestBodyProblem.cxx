@@ -109,6 +109,34 @@ TEST(BodyProblem, FallsBackOnThePlanBroughtToItsTouchDown)
   EXPECT_LT(LongestStep(path), 1.5 * hastening * LongestStep(scene.Plan));
 }
 
+/// What keeps it off a wall and its mark's ball, which leaves it no room there, are at odds: it is
+/// told, and comes to the ball in a bow all the same.
+TEST(BodyProblem, DoesNotJumpIntoABallThatItIsPushedOutOf)
+{
+  constexpr std::size_t mark = 30;
+  BehindAWall scene;
+  scene.Object.ClearanceRadius = 0.3;
+  Constraint row;
+  row.ObjectId = scene.Object.ObjectId;
+  row.Frame = static_cast<int>(mark);
+  row.Value = Vec3(-0.06, 0.0, 0.5);
+  row.Radius = 0.02;
+  std::vector<Vec3> path;
+  for (int f = 0; f < Frames; ++f)
+  {
+    path.emplace_back(-0.06, -1.5 + 0.05 * f, 0.5);
+  }
+  scene.Object.Position = path.front();
+  const DriftScene around{ scene.Scene, scene.Obstacles, false };
+  const BodyProblem body(around, scene.Object, path, { row });
+  EXPECT_FALSE(body.MakeExact(path));
+  EXPECT_LE((path[mark] - row.Value).norm(), row.Radius * (1.0 + 1e-12));
+  for (std::size_t f = mark - 2; f <= mark + 2; ++f)
+  {
+    EXPECT_LT(900.0 * (path[f - 1] - 2.0 * path[f] + path[f + 1]).norm(), 30.0) << f;
+  }
+}
+
 /// Where the window of a landing opens the step before still asks for all of the radius, to its
 /// end: a drift that dived there was pushed by nothing, and its end was the plan's path, in a
 /// second.

@@ -2,21 +2,13 @@
 // What rows ask of an object's path, and how it comes to that exactly.
 #include "Air/Drift/BodyProblem.h"
 
+#include "Constraints/IntoBalls.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace waft
 {
-namespace
-{
-
-Vec3 NearestOf(const PositionBall& ball, const Vec3& x)
-{
-  const double away = (x - ball.Center).norm();
-  return away > ball.Radius ? Vec3(ball.Center + ball.Radius / away * (x - ball.Center)) : x;
-}
-
-} // namespace
 
 void BodyProblem::AddRows()
 {
@@ -111,11 +103,10 @@ void BodyProblem::MeetRows(std::vector<Vec3>& path) const
     path[f] = this->IsFixed[f] ? this->Fixed[f] : path[f];
   }
   this->CloseBarrierGaps(path);
-  for (const PositionBall& ball : this->Balls)
-  {
-    Vec3& x = path[static_cast<std::size_t>(ball.Frame)];
-    x = this->HeldAt(ball.Frame) ? x : NearestOf(ball, x);
-  }
+  MoveIntoBalls(
+    this->Balls, [this](std::size_t frame) { return this->IsFixed[frame] != 0; },
+    this->World.Scene.Time.Step(), [this](std::vector<Vec3>& x) { this->CloseBarrierGaps(x); },
+    path);
   const FixedAt fixedAt = [this](int frame, std::size_t) { return this->HeldAt(frame); };
   for (const LinearCluster& cluster :
        MakeClusters(this->Differences, this->Balls, fixedAt, std::vector<bool>(path.size(), true)))

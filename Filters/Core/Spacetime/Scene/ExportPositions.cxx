@@ -2,6 +2,7 @@
 #include "Spacetime/Scene/SpacetimeExport.h"
 
 #include "Base/NumberText.h"
+#include "Constraints/IntoBalls.h"
 #include "Constraints/ResolveClearance.h"
 
 #include <algorithm>
@@ -37,7 +38,9 @@ public:
     {
       if (ball.Object == object)
       {
-        this->Balls.push_back(&ball);
+        this->Balls.push_back(ball);
+        this->Balls.back().Center = setup.ToWorld(ball.Center);
+        this->Balls.back().Radius = ball.Radius * setup.Spacing;
       }
     }
     if (kept.Region != nullptr)
@@ -48,6 +51,10 @@ public:
   }
 
   bool IsKept(std::size_t frame) const { return this->Weights[frame] <= 0.0; }
+  bool IsFixed(std::size_t frame) const
+  {
+    return (this->Setup.Model.Flag(static_cast<int>(frame), this->Index) & FixedPosition) != 0;
+  }
 
   /// x in metres, one a frame.
   void MakeExact(std::vector<Vec3>& x) const
@@ -67,26 +74,16 @@ public:
     const std::size_t no = this->Setup.Model.NumberOfObjects;
     for (std::size_t frame = 0; frame < x.size(); ++frame)
     {
-      if (this->Setup.Model.Flag(static_cast<int>(frame), this->Index) & FixedPosition)
+      if (this->IsFixed(frame))
       {
         x[frame] = this->Setup.ExactPositions[frame * no + this->Index];
       }
     }
     this->KeepInside(x);
-    for (const PositionBall* ball : this->Balls)
-    {
-      if (this->Setup.Model.Flag(ball->Frame, this->Index) & FixedPosition)
-      {
-        continue;
-      }
-      const Vec3 centre = this->Setup.ToWorld(ball->Center);
-      const double radius = ball->Radius * this->Setup.Spacing;
-      const Vec3 d = x[ball->Frame] - centre;
-      if (d.norm() > radius)
-      {
-        x[ball->Frame] = centre + (radius / d.norm()) * d;
-      }
-    }
+    MoveIntoBalls(
+      this->Balls,
+      [this](std::size_t frame) { return this->IsFixed(frame) || this->IsKept(frame); },
+      this->Setup.FrameStep, [this](std::vector<Vec3>& path) { this->KeepInside(path); }, x);
     for (const LinearCluster* cluster : this->Clusters)
     {
       const std::vector<int>& frames = cluster->Frames();
@@ -166,8 +163,8 @@ private:
   std::size_t Index;
   double Slack; // m, that the clearance may miss
   std::vector<const LinearCluster*> Clusters;
-  std::vector<const PositionBall*> Balls;
-  std::vector<double> Weights; // of going back to the plan, by frame; 0: kept as it was
+  std::vector<PositionBall> Balls; // as in the world
+  std::vector<double> Weights;     // of going back to the plan, by frame; 0: kept as it was
   const std::vector<Vec3>* Before = nullptr;
 };
 
