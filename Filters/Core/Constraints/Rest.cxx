@@ -86,6 +86,7 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
     window.Centre = centre;
     window.Point = hit.Point;
     window.Normal = hit.Normal;
+    window.Room = obstacles.SignedDistance(centre, row.Frame, 1e30, hit.ObstacleId);
     window.Row = row.Row;
     window.Target = row.Target;
     windows.push_back(window);
@@ -110,6 +111,7 @@ Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<Landing
       nearest = away;
       clearance.Exempt = window.ObstacleId;
       clearance.LandingDistance = rule.RestHeight;
+      clearance.Radius = std::min(rule.Radius, std::max(0.0, window.Room - LandingSlack));
     }
   }
   return clearance;

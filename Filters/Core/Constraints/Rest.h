@@ -43,6 +43,7 @@ struct LandingWindow
   Vec3 Centre = Vec3::Zero();  // resting position of the centre
   Vec3 Point = Vec3::Zero();   // of the surface, straight below
   Vec3 Normal = Vec3::UnitZ(); // of the surface there
+  double Room = 1e30;          // m, from the centre to the nearest other surface
   int Row = 0;
   int Target = 0;
 };
@@ -56,7 +57,9 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
 /// What holds for the centre of an object at one frame.
 struct Clearance
 {
-  double Radius = 0.0;          // m, to every obstacle but the exempt one, to sides and top
+  /// m, to every obstacle but the exempt one, to sides and top; around a rest no more than the rest
+  /// itself leaves.
+  double Radius = 0.0;
   int Exempt = -1;              // the obstacle it lands on or leaves, -1: none
   double LandingDistance = 0.0; // m, least signed distance to the exempt obstacle: the RestHeight
 };

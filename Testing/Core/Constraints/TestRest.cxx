@@ -109,6 +109,32 @@ TEST(Rest, LandingIsAllowedInItsWindowOnly)
   EXPECT_TRUE(IsMotionClear(set, leaf, windows, Vec3(-1.04, 0, 0.01), 110, place, 111));
 }
 
+/// At the foot of the wedge the ground is nearer than the radius: a body that is to lie there may
+/// come as near to it, while it lands and lies.
+TEST(Rest, OtherSurfacesGiveWayAsFarAsTheRestItselfLeaves)
+{
+  const ObstacleSet set = Scene();
+  MotionObject leaf = Leaf();
+  leaf.ClearanceRadius = 0.4;
+  const Constraint row = RestRow(Vec3(0.1, 0.0, 1.0), 60, 80);
+  const std::vector<LandingWindow> windows = LandingWindows(leaf, { row }, set, 30.0);
+  ASSERT_EQ(windows.size(), 1u);
+  ASSERT_EQ(windows[0].ObstacleId, 1);
+  const Vec3& rest = windows[0].Centre;
+  EXPECT_NEAR(windows[0].Room, rest.z(), 1e-12);
+  EXPECT_LT(windows[0].Room, leaf.ClearanceRadius);
+  for (const double frame : { 45.0, 60.0, 80.0 })
+  {
+    EXPECT_TRUE(IsMotionClear(set, leaf, windows, rest, frame, rest, frame)) << frame;
+    const Vec3 beside(-0.3, 0.0, 0.5 * rest.z()); // nearer to the ground than it lies
+    EXPECT_FALSE(IsMotionClear(set, leaf, windows, beside, frame, beside, frame)) << frame;
+  }
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, rest, 10.0, rest, 10.0));
+  const std::vector<LandingWindow> level =
+    LandingWindows(Leaf(), { RestRow(Vec3(3.0, 0.0, 1.0), 60, 80) }, set, 30.0);
+  EXPECT_EQ(RequiredClearance(Leaf(), level, 60.0).Radius, Leaf().ClearanceRadius);
+}
+
 TEST(Rest, FloorOfTheVolumeGivesWayToALanding)
 {
   const ObstacleSet set = Scene();
