@@ -52,6 +52,10 @@ bool MoveIntoBalls(const std::vector<PositionBall>& balls,
                    const std::function<void(std::vector<Vec3>& path)>& keepInside,
                    std::vector<Vec3>& path)
 {
+  if (balls.empty())
+  {
+    return false;
+  }
   std::vector<char> keeps(path.size());
   for (std::size_t f = 0; f < path.size(); ++f)
   {

@@ -4,6 +4,7 @@
 #include "Base/ShapeMeasures.h"
 #include "Base/TemporaryFolder.h"
 #include "Export/GltfAnimation.h"
+#include "Export/LoadedGlb.h"
 
 #include <gtest/gtest.h>
 
@@ -69,13 +70,7 @@ void WriteAndRead(const std::vector<AnimatedShape>& shapes,
 {
   std::string bytes;
   ASSERT_TRUE(GltfAnimation(shapes, objects, rate, bytes, monitor));
-  tinygltf::TinyGLTF reader;
-  std::string error, warning;
-  ASSERT_TRUE(reader.LoadBinaryFromMemory(&model, &error, &warning,
-                                          reinterpret_cast<const unsigned char*>(bytes.data()),
-                                          static_cast<unsigned int>(bytes.size())))
-    << error;
-  EXPECT_TRUE(warning.empty()) << warning;
+  ASSERT_NO_FATAL_FAILURE(LoadGlb(bytes, model));
 }
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Export/GltfAnimation.h"
+#include "Export/LoadedGlb.h"
 
 #include <gtest/gtest.h>
 
@@ -163,13 +164,7 @@ Read ReadAccessor(const tinygltf::Model& model, int number, int width)
 
 void ReadBack(const std::string& bytes, tinygltf::Model& model, std::vector<Motion>& motions)
 {
-  tinygltf::TinyGLTF reader;
-  std::string error, warning;
-  ASSERT_TRUE(reader.LoadBinaryFromMemory(&model, &error, &warning,
-                                          reinterpret_cast<const unsigned char*>(bytes.data()),
-                                          static_cast<unsigned int>(bytes.size())))
-    << error;
-  EXPECT_TRUE(warning.empty()) << warning;
+  ASSERT_NO_FATAL_FAILURE(LoadGlb(bytes, model));
   motions.assign(model.nodes.size(), Motion());
   for (const tinygltf::AnimationChannel& channel : model.animations[0].channels)
   {

@@ -82,7 +82,7 @@ public:
   /// As the touch-downs and lift-offs are set, in an air. Points into this one.
   DriftProblem In(const AirSampler& air) const;
   /// In a problem of its own, at the nearest place of each ball that a path misses, fixed: a drift
-  /// then bends the path there, where MakeExact would move one frame alone. False: it misses none.
+  /// then bends the path there by the air, where MakeExact would by a ramp. False: it misses none.
   bool HoldToBalls(const std::vector<Vec3>& path, DriftProblem& problem) const;
 
   /// Paths to begin with: the plan, brought to the touch-downs; straight from mark to mark; free

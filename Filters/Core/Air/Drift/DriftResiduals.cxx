@@ -14,19 +14,6 @@ int DriftResiduals::ReachOf(const DriftProblem& problem)
   return reach;
 }
 
-double DriftResiduals::Cost(const std::vector<Vec3>& x)
-{
-  double cost = 0.0;
-  const auto add = [&](const DriftResidual& residual, double weight)
-  { cost += 0.5 * weight * residual.Value.squaredNorm(); };
-  std::vector<DriftDepthAt> depths;
-  this->FindDepths(x, depths);
-  this->VisitFlight([&](int k, DriftResidual* linear) { return this->Control(x, k, linear); },
-                    false, add);
-  this->VisitOthers(x, depths, false, add);
-  return cost;
-}
-
 void DriftResiduals::FindDepths(const std::vector<Vec3>& x, std::vector<DriftDepthAt>& depths)
 {
   depths.clear();

@@ -43,8 +43,6 @@ public:
 
   /// Frames that a residual of the problem spans, less one.
   static int ReachOf(const DriftProblem& problem);
-  /// Of a path: half of the weighted squares of all of them.
-  double Cost(const std::vector<Vec3>& x);
   /// The control of a step; with its derivatives where `linear`.
   Vec3 Control(const std::vector<Vec3>& x, int k, DriftResidual* linear) const;
   BodyLaw LawIn(int k) const;
