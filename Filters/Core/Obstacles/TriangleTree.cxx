@@ -100,14 +100,6 @@ bool SegmentMeetsBox(const Vec3& p, const Vec3& d, double radius, const CGAL::Bb
   return first <= last + 1e-12;
 }
 
-template <class Bounds>
-bool BoxesMeet(const Box& box, const Bounds& other)
-{
-  return box.Min.x() <= other.xmax() && box.Max.x() >= other.xmin() &&
-         box.Min.y() <= other.ymax() && box.Max.y() >= other.ymin() &&
-         box.Min.z() <= other.zmax() && box.Max.z() >= other.zmin();
-}
-
 /// Sign of the area of (a, b, p) in the plane z = 0, p shifted by (e, e^2), e infinitesimal.
 int ShiftedOrientation(const Vec3& a, const Vec3& b, const Vec3& p)
 {
@@ -198,24 +190,6 @@ struct SweepVisitor
   {
     return SegmentMeetsBox(this->A, this->D, this->Radius, node.bbox());
   }
-};
-
-template <class Surface>
-struct BoxVisitor
-{
-  const Surface& S;
-  std::vector<int>& Found;
-
-  bool go_further() const { return true; }
-  void intersection(const Box& box, const Primitive& primitive)
-  {
-    const int t = this->S.Index(primitive);
-    if (BoxesMeet(box, primitive.datum(&this->S.Mesh).bbox()))
-    {
-      this->Found.push_back(t);
-    }
-  }
-  bool do_intersect(const Box& box, const Node& node) const { return BoxesMeet(box, node.bbox()); }
 };
 
 template <class Surface>
@@ -321,12 +295,6 @@ bool TriangleTree::IsSegmentNear(const Vec3& a, const Vec3& b, double radius) co
   SweepVisitor<Internals> visitor{ *this->Impl, a, b, b - a, radius };
   this->Impl->AABB.traversal(a, visitor);
   return visitor.Found;
-}
-
-void TriangleTree::AddInBox(const Box& box, std::vector<int>& triangles) const
-{
-  BoxVisitor<Internals> visitor{ *this->Impl, triangles };
-  this->Impl->AABB.traversal(box, visitor);
 }
 
 std::vector<VerticalCrossing> TriangleTree::Crossings(double x, double y) const

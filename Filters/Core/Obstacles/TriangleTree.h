@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One triangle surface in a CGAL AABB tree: closest point, swept ball, box, vertical line.
+// One triangle surface in a CGAL AABB tree: closest point, swept ball, vertical line.
 #pragma once
 
 #include "Base/Mesh.h"
@@ -53,9 +53,6 @@ public:
 
   /// True when some point of the segment a b is nearer than radius to the surface, or crosses it.
   bool IsSegmentNear(const Vec3& a, const Vec3& b, double radius) const;
-
-  /// Adds the triangles whose boxes meet a box, in the order of the tree.
-  void AddInBox(const Box& box, std::vector<int>& triangles) const;
 
   /// All crossings of the vertical line through (x, y), from below to above. Which triangles are
   /// crossed is decided exactly (the line is shifted by an infinitesimal, so that it never meets an

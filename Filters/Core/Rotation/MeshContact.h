@@ -16,10 +16,16 @@ namespace waft
 class ContactMesh
 {
 public:
+  static constexpr std::size_t ClusterSize = 16; // as many as side by side across a leaf
+
   explicit ContactMesh(const TriangleMesh& mesh);
 
   const TriangleMesh& Mesh() const { return *this->Surface; }
   const TriangleTree& Tree() const { return this->Triangles; }
+  const std::vector<Box>& Boxes() const { return this->Around; } // of its triangles
+  /// About each ClusterSize of them, one after another.
+  const std::vector<Box>& Clusters() const { return this->AroundSome; }
+  const std::vector<Vec3>& Normals() const { return this->Upright; } // likewise; 0: without area
   double Radius() const { return this->Farthest; } // m, of all points about the origin
   double Length() const { return this->Extent; }   // m, the longest side of its box
   bool IsClosed() const { return this->Closed; }   // what is within cuts it, too
@@ -27,6 +33,8 @@ public:
 private:
   const TriangleMesh* Surface;
   TriangleTree Triangles;
+  std::vector<Box> Around, AroundSome;
+  std::vector<Vec3> Upright;
   double Farthest;
   double Extent;
   bool Closed;
@@ -61,8 +69,18 @@ private:
     Vec3 Low, High;
   };
 
+  struct Boxed
+  {
+    int Triangle;
+    Box Around;
+  };
+
   TriangleCorners OfA(int triangle) const;
   TriangleCorners OfB(int triangle, const Vec3& shift) const;
+  void ChooseOfB(const Box& near);
+  void ChooseOfA(const Box& near, double reach);
+  void PairUp(double reach);
+  bool DoMeet(const Touching& both, const Vec3& shift) const;
   bool Contains(const Vec3& shift) const;
 
   PosedMesh A, B;
@@ -70,7 +88,7 @@ private:
   Vec3 Apart = Vec3::Zero();        // likewise
   std::vector<Vec3> Points;         // of b, in the axes of a
   std::vector<Touching> Candidates; // triangles that are near enough
-  std::vector<int> Found;           // scratch
+  std::vector<Boxed> SomeA, SomeB;  // that may be among them; boxes in the axes of a
 };
 
 } // namespace waft

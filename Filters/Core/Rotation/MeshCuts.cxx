@@ -2,6 +2,7 @@
 #include "Rotation/MeshCuts.h"
 
 #include "Base/NearPairs.h"
+#include "Constraints/RowsOfObjects.h"
 
 #include <algorithm>
 #include <map>
@@ -63,6 +64,7 @@ void TakeRests(const std::vector<Constraint>& rows, PosedMotion& motion)
 KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& rows,
                      double framesPerSecond)
 {
+  const RowsOfObjects places(rows);
   KeptDistances kept(framesPerSecond);
   const int frames = static_cast<int>(motion.NumberOfFrames());
   for (std::size_t i = 0; i < motion.Tracks->size(); ++i)
@@ -71,10 +73,10 @@ KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& r
     const std::vector<Vec3>& path = (*motion.Tracks)[i].Positions;
     std::vector<HeldMark> marks;
     marks.push_back({ 0, path.front(), 0.0 });
-    for (const Constraint& row : rows)
+    for (const std::size_t place : places.Of(object.ObjectId))
     {
-      if (row.ObjectId != object.ObjectId || row.Status != ConstraintStatus::Met ||
-          !IsPositional(row.Kind))
+      const Constraint& row = rows[place];
+      if (row.Status != ConstraintStatus::Met || !IsPositional(row.Kind))
       {
         continue;
       }

@@ -39,10 +39,17 @@ struct PosedMotion
   {
     return (*this->Meshes)[static_cast<std::size_t>(this->Objects[track]->ShapeId)];
   }
+  const Vec3& PlaceOf(std::size_t track, std::size_t frame) const
+  {
+    return (*this->Tracks)[track].Positions[frame];
+  }
+  const Quat& PoseOf(std::size_t track, std::size_t frame) const
+  {
+    return (*this->Poses)[track].Orientations[frame];
+  }
   PosedMesh At(std::size_t track, std::size_t frame) const
   {
-    return { &this->MeshOf(track), (*this->Tracks)[track].Positions[frame],
-             (*this->Poses)[track].Orientations[frame] };
+    return { &this->MeshOf(track), this->PlaceOf(track, frame), this->PoseOf(track, frame) };
   }
 };
 

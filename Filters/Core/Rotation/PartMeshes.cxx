@@ -98,18 +98,14 @@ bool PartMeshes(const RotationInput& input, const std::vector<Constraint>& rows,
   bool isChanged = true;
   for (int pass = 0; pass < MostPasses && isChanged; ++pass)
   {
-    isChanged = false;
     std::vector<MeshCut> cuts = FindMeshCuts(motion, kept, PartedDepth, parallel);
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
                               [&](const MeshCut& cut) { return !parting.IsFree(cut); }),
                cuts.end());
-    for (const Meeting& meeting : MeetingsOf(cuts, parting.EaseFrames()))
+    isChanged = parting.Part(MeetingsOf(cuts, parting.EaseFrames()), parallel);
+    if (parting.IsStopped())
     {
-      isChanged = parting.Part(meeting) || isChanged;
-      if (parting.IsStopped())
-      {
-        return false;
-      }
+      return false;
     }
   }
   parted = parting.Take();

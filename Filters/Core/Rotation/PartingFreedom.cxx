@@ -55,13 +55,14 @@ void EaseOff(const std::vector<char>& given, double ease, std::vector<double>& f
   }
 }
 
-bool KeepsBalls(const RotationInput& input, const ChangedBody& changed)
+bool KeepsBalls(const std::vector<Constraint>& rows, const std::vector<std::size_t>& places,
+                const ChangedBody& changed)
 {
-  return std::all_of(input.Constraints.begin(), input.Constraints.end(),
-                     [&](const Constraint& row)
+  return std::all_of(places.begin(), places.end(),
+                     [&](std::size_t place)
                      {
-                       return row.ObjectId != changed.Object->ObjectId ||
-                              row.Frame != changed.Frame || !IsPassing(row.Kind) ||
+                       const Constraint& row = rows[place];
+                       return row.Frame != changed.Frame || !IsPassing(row.Kind) ||
                               row.Status != ConstraintStatus::Met ||
                               (changed.After - row.Value).norm() <= row.Radius;
                      });
@@ -70,36 +71,33 @@ bool KeepsBalls(const RotationInput& input, const ChangedBody& changed)
 } // namespace
 
 PartingFreedom FreedomOf(const MotionObject& object, const std::vector<Constraint>& rows,
-                         const Timeline& time)
+                         const std::vector<std::size_t>& places, const Timeline& time)
 {
-  std::vector<char> place(static_cast<std::size_t>(time.NumberOfFrames), 0);
-  std::vector<char> pose = place;
-  place[0] = 1;
+  std::vector<char> position(static_cast<std::size_t>(time.NumberOfFrames), 0);
+  std::vector<char> pose = position;
+  position[0] = 1;
   pose[0] = object.OrientationGiven != 0 ? 1 : 0;
-  for (const Constraint& row : rows)
+  for (const std::size_t place : places)
   {
-    if (row.ObjectId != object.ObjectId)
-    {
-      continue;
-    }
-    const Given given = GivenBy(row);
+    const Given given = GivenBy(rows[place]);
     for (int f = std::max(given.First, 0); f <= std::min(given.Last, time.NumberOfFrames - 1); ++f)
     {
       const auto k = static_cast<std::size_t>(f);
-      place[k] = given.Place ? 1 : place[k];
+      position[k] = given.Place ? 1 : position[k];
       pose[k] = given.Pose ? 1 : pose[k];
     }
   }
   PartingFreedom freedom;
   EaseOff(pose, GivenEase * time.FramesPerSecond, freedom.Turn);
-  EaseOff(place, GivenEase * time.FramesPerSecond, freedom.Shift);
+  EaseOff(position, GivenEase * time.FramesPerSecond, freedom.Shift);
   return freedom;
 }
 
-bool IsAllowed(const RotationInput& input, const ChangedBody& changed)
+bool IsAllowed(const RotationInput& input, const std::vector<std::size_t>& places,
+               const ChangedBody& changed)
 {
   const bool isMoved = changed.After != changed.Before;
-  if (isMoved && !KeepsBalls(input, changed))
+  if (isMoved && !KeepsBalls(input.Constraints, places, changed))
   {
     return false;
   }

@@ -16,9 +16,9 @@ struct PartingFreedom
   std::vector<double> Turn, Shift;
 };
 
-/// rows: those of all bodies, rests with the frame of their first contact.
+/// rows: those of all bodies, rests with the frame of their first contact; places: of the body's.
 PartingFreedom FreedomOf(const MotionObject& object, const std::vector<Constraint>& rows,
-                         const Timeline& time);
+                         const std::vector<std::size_t>& places, const Timeline& time);
 
 /// A body at a frame as it is, and as it might be.
 struct ChangedBody
@@ -32,6 +32,8 @@ struct ChangedBody
 };
 
 /// Whether the balls of its rows and its clearance are kept, and no vertex is below a surface.
-bool IsAllowed(const RotationInput& input, const ChangedBody& changed);
+/// places: of the body's rows in the input's.
+bool IsAllowed(const RotationInput& input, const std::vector<std::size_t>& places,
+               const ChangedBody& changed);
 
 } // namespace waft

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which turns and shifts part two bodies that are in each other.
+// Which turns and shifts part the bodies of a motion that are in each other.
 #pragma once
 
-#include "Rotation/MeshCuts.h"
-#include "Rotation/RotationRefine.h"
+#include "Rotation/PartingAttempt.h"
 
-#include <memory>
+#include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace waft
 {
-
-/// That pairs are parted to, in lengths of the shorter body.
-inline constexpr double PartedDepth = 0.5 * TouchedDepth;
-
-/// Two bodies over the frames at which they are in each other, with few frames between.
-struct Meeting
-{
-  std::size_t A = 0, B = 0;
-  int First = 0, Last = 0;
-};
 
 /// What is changed; by track.
 struct PartedMotion
@@ -29,30 +20,53 @@ struct PartedMotion
   std::vector<MeshCut> Left;                      // deeper than TouchedDepth all the same
 };
 
-/// Changes a motion pair by pair, each time by the least of a ladder that helps most.
+/// Changes a motion meeting by meeting, each time by the least of a ladder that helps most.
+/// Meetings out of each other's reach are searched at once, by threads; what comes is as if they
+/// had been searched one after another.
 class PartingSearch
 {
 public:
-  /// most: rad from a frame to the next, that turns keep to. motion: of tracks and poses, which
-  /// change. All that is given stays where it is for as long as this.
+  /// most: rad from a frame to the next, that turns keep to. rows: rests with their first
+  /// contacts. motion: of tracks and poses, which change. All that is given stays where it is for
+  /// as long as this.
   PartingSearch(const RotationInput& input, const std::vector<Constraint>& rows, double most,
                 const PosedMotion& motion, Monitor& monitor, std::vector<Track>& tracks,
                 std::vector<PoseTrack>& poses);
-  ~PartingSearch();
 
   /// In which a change comes and goes.
   int EaseFrames() const;
   /// Whether a body of a pair may be changed where the two are in each other.
   bool IsFree(const MeshCut& cut);
-  /// Whether anything could be done. Bodies that fly in each other for longer than three seconds
-  /// are left to it.
-  bool Part(const Meeting& meeting);
-  bool IsStopped() const; // by the monitor
-  PartedMotion Take();
+  /// Parts them in their order; whether anything could be done. Bodies that fly in each other for
+  /// longer than three seconds are left to it.
+  bool Part(std::vector<Meeting> meetings, const ParallelFor& parallel);
+  bool IsStopped() const { return this->Stopped; } // by the monitor
+  PartedMotion Take() { return std::move(this->Result); }
 
 private:
-  class Internals;
-  std::unique_ptr<Internals> Impl;
+  using MeetingKey = std::array<std::size_t, 3>;
+
+  double FreedomAt(std::size_t track, int frame);
+  std::pair<int, int> VersionsOf(const Meeting& meeting) const;
+  bool IsInVain(const Meeting& meeting) const;
+  std::vector<std::size_t> ApartFrom(const std::vector<Meeting>& meetings) const;
+  bool AreApart(const Meeting& earlier, const Meeting& later,
+                const std::vector<int>& changes) const;
+  void Make(const PartingAttempt& attempt);
+
+  const std::vector<Constraint>& Rows;
+  RowsOfObjects Places;
+  const PosedMotion& Motion;
+  Monitor& Caller;
+  std::vector<Track>& Tracks;
+  std::vector<PoseTrack>& Poses;
+  PathBoxes Boxes;
+  std::vector<PartingFreedom> Freedoms; // by track, once it is asked for
+  PartedScene Scene;
+  bool Stopped = false;
+  std::vector<int> Versions;                        // changes so far, by track
+  std::map<MeetingKey, std::pair<int, int>> InVain; // with the versions then
+  PartedMotion Result;
 };
 
 } // namespace waft

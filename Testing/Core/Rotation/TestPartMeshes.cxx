@@ -6,6 +6,9 @@
 #include "Refining.h"
 #include "Rotation/PartMeshes.h"
 
+#include <algorithm>
+#include <map>
+
 using namespace waft;
 using namespace waft::fixtures;
 
@@ -229,6 +232,128 @@ TEST(PartMeshes, ThreadsDoNotMatter)
                 two.Tracks[o].Positions[static_cast<std::size_t>(f)]);
     }
   }
+}
+
+TEST(PartMeshes, MeetingsAtOnceAreAsOneAfterAnother)
+{
+  // Dense enough that changes reach the next ones, and wide enough that many do not.
+  Crowd crowd(CurledLeaf());
+  waft::Random random(7, 3);
+  const auto place = [&]
+  { return Vec3(random.Uniform(0, 1.2), random.Uniform(0, 1.2), random.Uniform(0, 0.4)); };
+  for (int o = 0; o < 100; ++o)
+  {
+    const Vec3 from = place();
+    crowd.Add(from, from + 0.5 * (place() - from), About(Vec3::Unit(o % 3), 20.0 * o), Frames);
+  }
+  const PosedMotion given = crowd.Motion();
+  std::map<std::pair<std::size_t, std::size_t>, Meeting> pairs;
+  for (const MeshCut& cut : FindMeshCuts(given, KeptOf(given, {}, 30.0), PartedDepth, SerialFor()))
+  {
+    Meeting& meeting =
+      pairs.emplace(std::make_pair(cut.A, cut.B), Meeting{ cut.A, cut.B, cut.Frame, 0 })
+        .first->second;
+    meeting.Last = cut.Frame;
+  }
+  std::vector<Meeting> meetings;
+  for (const auto& pair : pairs)
+  {
+    meetings.push_back(pair.second);
+  }
+  ASSERT_GT(meetings.size(), 20U);
+  std::stable_sort(meetings.begin(), meetings.end(),
+                   [](const Meeting& a, const Meeting& b) { return a.First < b.First; });
+
+  RotationInput input;
+  input.Scene.Time.NumberOfFrames = Frames;
+  input.Scene.Bounds = Box{ Vec3::Constant(-10.0), Vec3::Constant(10.0) };
+  input.Objects = crowd.Objects;
+  input.Shapes = *crowd.Shapes;
+  SilentMonitor silent;
+  const auto part = [&](Crowd& motion, bool isAtOnce)
+  {
+    const PosedMotion posed = motion.Motion();
+    PartingSearch search(input, {}, Most, posed, silent, motion.Tracks, motion.Poses);
+    for (const MeshCut& cut :
+         FindMeshCuts(posed, KeptOf(posed, {}, 30.0), PartedDepth, SerialFor()))
+    {
+      (void)search.IsFree(cut);
+    }
+    if (isAtOnce)
+    {
+      (void)search.Part(meetings, ThreadedFor(3));
+      return;
+    }
+    for (const Meeting& meeting : meetings)
+    {
+      (void)search.Part({ meeting }, SerialFor());
+    }
+  };
+  Crowd plain = crowd;
+  part(plain, false);
+  part(crowd, true);
+  int changed = 0;
+  for (std::size_t o = 0; o < crowd.Tracks.size(); ++o)
+  {
+    for (int f = 0; f < Frames; ++f)
+    {
+      ExpectSamePose(plain, crowd, o, f);
+      EXPECT_EQ(plain.Tracks[o].Positions[static_cast<std::size_t>(f)],
+                crowd.Tracks[o].Positions[static_cast<std::size_t>(f)]);
+    }
+    changed +=
+      crowd.Poses[o].Orientations[Middle].coeffs() !=
+          About(Vec3::Unit(static_cast<int>(o) % 3), 20.0 * static_cast<double>(o)).coeffs()
+        ? 1
+        : 0;
+  }
+  EXPECT_GT(changed, 5);
+}
+
+TEST(PathBoxes, MissesNoneThatComesNear)
+{
+  waft::Random random(3, 8);
+  std::vector<Track> tracks(40);
+  for (Track& track : tracks)
+  {
+    const auto any = [&](double most)
+    { return Vec3(random.Uniform(0, most), random.Uniform(0, most), random.Uniform(0, most)); };
+    const Vec3 from = any(1.0);
+    const Vec3 way = any(0.02);
+    for (int f = 0; f < Frames; ++f)
+    {
+      track.Positions.push_back(from + f * way + 0.02 * any(1.0));
+    }
+  }
+  PathBoxes boxes(tracks);
+  tracks[3].Positions[40] += Vec3(0.5, 0.0, 0.0);
+  boxes.Take(3);
+  const double reach = 0.1;
+  std::size_t said = 0;
+  std::size_t asked = 0;
+  for (std::size_t one = 0; one < tracks.size(); ++one)
+  {
+    for (const int first : { 0, 15, 16, 37, 90 })
+    {
+      const int last = std::min(first + 20, Frames - 1);
+      std::vector<std::size_t> near;
+      boxes.AddNear(one, first, last, reach, near);
+      said += near.size();
+      asked += tracks.size();
+      for (std::size_t other = 0; other < tracks.size(); ++other)
+      {
+        bool comes = false;
+        for (auto f = static_cast<std::size_t>(first); f <= static_cast<std::size_t>(last); ++f)
+        {
+          comes = comes || (tracks[one].Positions[f] - tracks[other].Positions[f]).norm() < reach;
+        }
+        const bool isNamed = std::find(near.begin(), near.end(), other) != near.end();
+        EXPECT_TRUE(!comes || one == other || isNamed) << one << " and " << other;
+        EXPECT_TRUE(!comes || boxes.MayMeet(one, other, first, last, reach));
+      }
+    }
+  }
+  EXPECT_LT(said, asked / 2);
 }
 
 TEST(PartMeshes, AStopLeavesNothingChanged)
