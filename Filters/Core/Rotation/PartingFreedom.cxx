@@ -119,13 +119,13 @@ bool IsAllowed(const RotationInput& input, const std::vector<std::size_t>& place
     return false;
   }
   const std::vector<Vec3>& points = changed.Body->Mesh.Points;
-  return now >= changed.Radius || std::all_of(points.begin(), points.end(),
-                                              [&](const Vec3& point)
-                                              {
-                                                return input.Obstacles->SignedDistance(
-                                                         changed.Pose * point + changed.After,
-                                                         changed.Frame, reach) >= -SurfaceDepth;
-                                              });
+  const auto isAbove = [&](const Vec3& point)
+  {
+    // No farther than what tells: a vertex in the open is not held against any triangle.
+    return input.Obstacles->SignedDistance(changed.Pose * point + changed.After, changed.Frame,
+                                           SurfaceDepth) >= -SurfaceDepth;
+  };
+  return now >= changed.Radius || std::all_of(points.begin(), points.end(), isAbove);
 }
 
 } // namespace waft
