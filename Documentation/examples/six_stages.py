@@ -39,5 +39,6 @@ fit = simple.VortexFitFilter(Input=gas, Vortices=OutputPort(gas, 2))
 turn = simple.RotationRefineFilter(Tracks=gas, Objects=objects, Shapes=shapes, Obstacles=obstacles, Constraints=marks, Seed=seed)
 
 for file in (f"{folder}/poses.csv", f"{folder}/animation.glb"):
-    waft.update(simple.MotionAnimationWriter(Poses=OutputPort(turn, 1), Objects=objects, Shapes=shapes, FileName=file))
+    waft.update(simple.MotionAnimationWriter(
+        Poses=OutputPort(turn, 1), Objects=objects, Shapes=shapes, Constraints=marks, FileName=file))
 waft.update(fit)
