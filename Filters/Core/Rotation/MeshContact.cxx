@@ -124,7 +124,9 @@ ContactMesh::ContactMesh(const TriangleMesh& mesh) :
     const auto& corners = mesh.Triangles[t];
     const auto at = [&](std::size_t k) -> const Vec3&
     { return mesh.Points[static_cast<std::size_t>(corners[k])]; };
-    this->Around.push_back(BoxAbout(TriangleCorners{ at(0), at(1), at(2) }));
+    // As at a ball's poles.
+    const bool isFlat = this->Triangles.Normal(static_cast<int>(t)).isZero();
+    this->Around.push_back(isFlat ? Nothing() : BoxAbout(TriangleCorners{ at(0), at(1), at(2) }));
     if (t % ClusterSize == 0)
     {
       this->AroundSome.push_back(Nothing());
@@ -235,7 +237,7 @@ void MeshPair::ChooseOfB(const Box& near)
     for (std::size_t t = first; t < end; ++t)
     {
       const Box own = BoxAbout(this->OfB(static_cast<int>(t), Vec3::Zero()));
-      if (Overlap(own, near))
+      if (!mesh.Normals()[t].isZero() && Overlap(own, near))
       {
         this->SomeB.push_back({ static_cast<int>(t), own });
       }
