@@ -7,8 +7,11 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
+
+#include <algorithm>
 
 namespace waft
 {
@@ -78,6 +81,21 @@ double FieldArrays::Value(vtkIdType i, int component) const
   return this->Arrays.size() == 1
            ? this->Arrays[0]->GetComponent(i, component)
            : this->Arrays[static_cast<std::size_t>(component)]->GetComponent(i, 0);
+}
+
+bool FieldArrays::CopyTo(std::vector<std::array<float, 3>>& values) const
+{
+  auto* floats = this->Arrays.size() == 1 ? vtkFloatArray::SafeDownCast(this->Arrays[0]) : nullptr;
+  if (floats == nullptr || floats->GetNumberOfComponents() != 3 ||
+      floats->GetNumberOfTuples() != static_cast<vtkIdType>(values.size()))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    std::copy_n(floats->GetPointer(static_cast<vtkIdType>(3 * i)), 3, values[i].begin());
+  }
+  return true;
 }
 
 Result FindField(vtkImageData* data, FieldRole role, const std::string& array, FieldArrays& found)

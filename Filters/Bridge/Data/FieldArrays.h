@@ -7,6 +7,7 @@
 
 #include <vtkType.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct FieldArrays
   std::string Name;                  // of the array, for messages
 
   double Value(vtkIdType i, int component) const;
+  /// All of them where they are floats side by side, as Waft's own are; else false, and nothing.
+  bool CopyTo(std::vector<std::array<float, 3>>& values) const;
 };
 
 /// Finds them; array: the name that a wind's file was asked for. Fails, listing what the image has.

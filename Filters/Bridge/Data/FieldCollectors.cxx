@@ -442,11 +442,13 @@ Result FieldCollector::Add(vtkImageData* data, double time)
   std::vector<std::array<float, 3>> step(lattice.NumberOfPoints());
   const limits::Range range =
     lattice.Meaning == FieldMeaning::Acceleration ? limits::Acceleration : limits::Velocity;
+  const bool isCopied = field.CopyTo(step);
   for (std::size_t i = 0; i < step.size(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const double value = field.Value(static_cast<vtkIdType>(i), c);
+      const double value = isCopied ? static_cast<double>(step[i][static_cast<std::size_t>(c)])
+                                    : field.Value(static_cast<vtkIdType>(i), c);
       if (!range.Holds(value))
       {
         return Result::Error(name + ": array `" + field.Name + "`: point " + std::to_string(i) +

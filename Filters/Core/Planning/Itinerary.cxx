@@ -142,14 +142,15 @@ void Itinerary::Follow(const std::vector<Vec3>& points, double radius, const Sce
 }
 
 Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint>& rows,
+                        const std::vector<std::size_t>& places,
                         const std::vector<unsigned char>& isUsed, const ObstacleSet& obstacles,
                         const SceneInfo& scene)
 {
   std::vector<Constraint> own;
   std::vector<std::size_t> rests, positions, derivatives; // of rows
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  for (const std::size_t i : places)
   {
-    if (rows[i].ObjectId != object.ObjectId || isUsed[i] == 0)
+    if (isUsed[i] == 0)
     {
       continue;
     }

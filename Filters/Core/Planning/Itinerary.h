@@ -44,10 +44,11 @@ struct Itinerary
   void Follow(const std::vector<Vec3>& points, double radius, const SceneInfo& scene);
 };
 
-/// rows: all constraints of the scene; isUsed: one a row, those that are false are passed over, and
-/// so are rests with nothing below.
-/// Where two rows speak of one frame the tighter one counts.
+/// rows: all constraints of the scene; places: the object's own among them; isUsed: one a row,
+/// those that are false are passed over, and so are rests with nothing below. Where two rows speak
+/// of one frame the tighter one counts.
 Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint>& rows,
+                        const std::vector<std::size_t>& places,
                         const std::vector<unsigned char>& isUsed, const ObstacleSet& obstacles,
                         const SceneInfo& scene);
 

@@ -2,6 +2,7 @@
 // All objects of a run that are to fly, planned by threads and other ranks while the caller's
 // thread ticks the monitor.
 #include "Base/SharedLoop.h"
+#include "Constraints/RowsOfObjects.h"
 #include "Planning/FreeSpaceGrids.h"
 #include "Planning/Itinerary.h"
 #include "Planning/PlannerNumbers.h"
@@ -52,9 +53,10 @@ ObjectPlanOptions SharedOptions(const PlanInput& input, const PlanOptions& optio
 /// Where an object is to be, and the guide that it follows on the way.
 Itinerary GuidedItinerary(const PlanInput& input, const MotionObject& object,
                           const std::vector<Constraint>& rows,
+                          const std::vector<std::size_t>& places,
                           const std::vector<unsigned char>& isUsed, double guideWeight)
 {
-  Itinerary itinerary = MakeItinerary(object, rows, isUsed, input.Obstacles, input.Scene);
+  Itinerary itinerary = MakeItinerary(object, rows, places, isUsed, input.Obstacles, input.Scene);
   for (const Guide& guide : input.Guides)
   {
     if (guide.ObjectId == object.ObjectId && guideWeight > 0.0)
@@ -74,8 +76,8 @@ public:
           const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,
           FlightWatch& watch) :
     Input(input),
-    Rows(rows), IsUsed(isUsed), GuideWeight(options.GuideWeight), Library(tools.Library),
-    Shared(SharedOptions(input, options, tools, watch.Stop)),
+    Rows(rows), Places(rows), IsUsed(isUsed), GuideWeight(options.GuideWeight),
+    Library(tools.Library), Shared(SharedOptions(input, options, tools, watch.Stop)),
     Rooms(input.Obstacles, input.Scene.Bounds, input.Objects, Shared.Span.Margin, watch.Stop),
     Watch(watch)
   {
@@ -91,7 +93,8 @@ public:
     ObjectPlanOptions own = this->Shared;
     own.Span.Rooms = [this, &object](int level) { return this->Rooms.Of(object, level); };
     const Itinerary itinerary =
-      GuidedItinerary(this->Input, object, this->Rows, this->IsUsed, this->GuideWeight);
+      GuidedItinerary(this->Input, object, this->Rows, this->Places.Of(object.ObjectId),
+                      this->IsUsed, this->GuideWeight);
     return PlanObject(this->Library, object, itinerary, this->Input.Obstacles, this->Input.Scene,
                       own);
   }
@@ -99,6 +102,7 @@ public:
 private:
   const PlanInput& Input;
   const std::vector<Constraint>& Rows;
+  RowsOfObjects Places;
   const std::vector<unsigned char>& IsUsed;
   double GuideWeight;
   const SegmentLibrary& Library;

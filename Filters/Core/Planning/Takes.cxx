@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Takes.h"
 
+#include "Constraints/RowsOfObjects.h"
 #include "Trajectory/Style.h"
 
 #include <algorithm>
@@ -35,14 +36,16 @@ private:
 StyleSamples FlightStyle(const PlanOutput& plan, const Timeline& time)
 {
   const auto second = static_cast<int>(std::lround(time.FramesPerSecond));
+  const RowsOfObjects places(plan.Constraints);
   StyleSamples style;
   for (const Track& track : plan.Tracks)
   {
     const auto count = static_cast<int>(track.Positions.size());
     std::vector<unsigned char> isFree(track.Positions.size(), 1);
-    for (const Constraint& row : plan.Constraints)
+    for (const std::size_t place : places.Of(track.ObjectId))
     {
-      if (row.ObjectId == track.ObjectId && IsRest(row.Kind))
+      const Constraint& row = plan.Constraints[place];
+      if (IsRest(row.Kind))
       {
         const int last = std::min(count, row.Until + second + 1);
         for (int k = std::max(0, row.Frame - second); k < last; ++k)
