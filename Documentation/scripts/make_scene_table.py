@@ -22,9 +22,10 @@ KEPT = GALLERY / "scenes.json"
 STAGES = ("planner", "spacetime", "rotation")
 HEAD = """# Scenes, flown and measured
 
-Written by [make_scene_table.py](../scripts/make_scene_table.py) from folders of `waft synthesize --quality paper`, all at the scenes'
-full size (about 2500 particles of air, 300 frames), on two threads; the pictures, by [make_scene_pictures.py](../scripts/make_scene_pictures.py), are of
-`--quality full`, of petals-1000 `air`. What is in **bold** misses its gate. What the scenes are about is told in [Data/Scenes](../../Data/Scenes/README.md), what the
+Written by [make_scene_table.py](../scripts/make_scene_table.py) from folders of `waft synthesize --quality paper`, all
+at the scenes' full size (about 2500 particles of air, 300 frames), on two threads; the pictures, by
+[make_scene_pictures.py](../scripts/make_scene_pictures.py), are of `--quality full`, of petals-1000 `air`. What is in
+**bold** misses its gate. What the scenes are about is told in [Data/Scenes](../../Data/Scenes/README.md), what the
 measures are in [Measure](../Measure.md#against-the-scene-motion_checkspy).
 
 These flights are of the optimiser from the plan, as `--quality paper` flies and the default did once. The default goes
