@@ -51,9 +51,8 @@ int PartingSearch::EaseFrames() const
   return static_cast<int>(std::ceil(this->Scene.Ease));
 }
 
-double PartingSearch::FreedomAt(std::size_t track, int frame)
+const PartingFreedom& PartingSearch::TakeFreedom(std::size_t track)
 {
-  const auto f = static_cast<std::size_t>(frame);
   PartingFreedom& freedom = this->Freedoms[track];
   if (freedom.Turn.empty())
   {
@@ -61,13 +60,18 @@ double PartingSearch::FreedomAt(std::size_t track, int frame)
     freedom =
       FreedomOf(object, this->Rows, this->Places.Of(object.ObjectId), this->Scene.Input.Scene.Time);
   }
-  return std::max(freedom.Turn[f], freedom.Shift[f]);
+  return freedom;
 }
 
 bool PartingSearch::IsFree(const MeshCut& cut)
 {
-  return std::max(this->FreedomAt(cut.A, cut.Frame), this->FreedomAt(cut.B, cut.Frame)) >
-         LeastFreedom;
+  const auto f = static_cast<std::size_t>(cut.Frame);
+  const auto isFree = [&](std::size_t track)
+  {
+    const PartingFreedom& freedom = this->TakeFreedom(track);
+    return std::max(freedom.Turn[f], freedom.Shift[f]) > LeastFreedom;
+  };
+  return isFree(cut.A) || isFree(cut.B);
 }
 
 std::pair<int, int> PartingSearch::VersionsOf(const Meeting& meeting) const
@@ -90,6 +94,11 @@ bool PartingSearch::Part(std::vector<Meeting> meetings, const ParallelFor& paral
                                 [&](const Meeting& meeting)
                                 { return meeting.Last - meeting.First > longest; }),
                  meetings.end());
+  for (const Meeting& meeting : meetings)
+  {
+    this->TakeFreedom(meeting.A);
+    this->TakeFreedom(meeting.B);
+  }
   PartMonitor monitor(this->Caller, 1.0, 1.0);
   bool isChanged = false;
   while (!meetings.empty())

@@ -46,7 +46,7 @@ public:
 private:
   using MeetingKey = std::array<std::size_t, 3>;
 
-  double FreedomAt(std::size_t track, int frame);
+  const PartingFreedom& TakeFreedom(std::size_t track);
   std::pair<int, int> VersionsOf(const Meeting& meeting) const;
   bool IsInVain(const Meeting& meeting) const;
   std::vector<std::size_t> ApartFrom(const std::vector<Meeting>& meetings) const;

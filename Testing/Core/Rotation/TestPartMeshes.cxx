@@ -274,11 +274,6 @@ TEST(PartMeshes, MeetingsAtOnceAreAsOneAfterAnother)
   {
     const PosedMotion posed = motion.Motion();
     PartingSearch search(input, {}, Most, posed, silent, motion.Tracks, motion.Poses);
-    for (const MeshCut& cut :
-         FindMeshCuts(posed, KeptOf(posed, {}, 30.0), PartedDepth, SerialFor()))
-    {
-      (void)search.IsFree(cut);
-    }
     if (isAtOnce)
     {
       (void)search.Part(meetings, ThreadedFor(3));
