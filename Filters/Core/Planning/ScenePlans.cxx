@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/ScenePlans.h"
 
+#include "Constraints/RowsOfObjects.h"
+
 #include <algorithm>
-#include <map>
 
 namespace waft
 {
@@ -14,18 +15,17 @@ std::vector<std::vector<int>> OwnRowsOf(const std::vector<MotionObject>& objects
                                         const std::vector<Constraint>& rows,
                                         const std::vector<unsigned char>& isUsed)
 {
-  std::map<int, std::vector<int>> byId;
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  const RowsOfObjects places(rows);
+  std::vector<std::vector<int>> own(objects.size());
+  for (std::size_t o = 0; o < objects.size(); ++o)
   {
-    if (isUsed[i] != 0)
+    for (const std::size_t place : places.Of(objects[o].ObjectId))
     {
-      byId[rows[i].ObjectId].push_back(static_cast<int>(i));
+      if (isUsed[place] != 0)
+      {
+        own[o].push_back(static_cast<int>(place));
+      }
     }
-  }
-  std::vector<std::vector<int>> own;
-  for (const MotionObject& object : objects)
-  {
-    own.push_back(byId[object.ObjectId]);
   }
   return own;
 }
