@@ -17,6 +17,8 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkSharedWork.h>
 #include <vtkStylisticPlannerFilter.h>
 #include <vtkTable.h>
 #include <vtkTrivialProducer.h>
@@ -25,6 +27,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace
 {
@@ -100,6 +103,27 @@ struct Pipeline
 };
 
 } // namespace
+
+// What sets it is in another library than what works by it.
+TEST(StylisticPlannerFilter, TakesTheThreadsOfTheProcessesThatWorkForThisOne)
+{
+  const auto threads = []
+  {
+    const std::filesystem::directory_iterator tasks("/proc/self/task");
+    return std::distance(begin(tasks), end(tasks));
+  };
+  vtkSMPTools::Initialize(1);
+  const auto before = threads();
+  Pipeline alone;
+  alone.Filter->Update();
+  EXPECT_EQ(threads(), before);
+  vtkSharedWork::SetProcessesHere(3);
+  Pipeline first;
+  first.Filter->Update();
+  vtkSharedWork::SetProcessesHere(1);
+  vtkSMPTools::Initialize();
+  EXPECT_EQ(threads(), before + 2);
+}
 
 TEST(StylisticPlannerFilter, PlansTracksTreesReportRowsAndVortices)
 {

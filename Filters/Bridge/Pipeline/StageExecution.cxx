@@ -13,7 +13,6 @@
 #include <vtkVersionMacros.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -30,7 +29,8 @@ namespace
 {
 
 const pid_t LoadedBy = getpid(); // a fork of it has none of the threads that VTK 9.3 keeps
-std::atomic<int> ProcessesHere{ 1 };
+// Each library of the plugin has this file's variables; a process has one environment.
+constexpr const char* ProcessesVariable = "WAFT_PROCESSES_HERE";
 
 std::vector<vtkMTimeType> CurrentSignature(vtkAlgorithm* stage, vtkInformationVector** inputs)
 {
@@ -89,7 +89,13 @@ bool StageMonitor::Tick(double fraction, const std::string& text)
 
 void SetProcessesHere(int count)
 {
-  ProcessesHere = std::max(1, count);
+  setenv(ProcessesVariable, std::to_string(std::max(1, count)).c_str(), 1);
+}
+
+int ProcessesHere()
+{
+  const char* given = std::getenv(ProcessesVariable);
+  return given == nullptr ? 1 : std::max(1, std::atoi(given));
 }
 
 ParallelFor SmpFor()
@@ -107,11 +113,12 @@ ParallelFor SmpFor()
                      { body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
   };
   const bool isThreaded = std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0;
-  if (isThreaded || ProcessesHere > 1)
+  const int processes = ProcessesHere();
+  if (isThreaded || processes > 1)
   {
     // VTK's begin with each loop.
     const int own = isThreaded ? vtkSMPTools::GetEstimatedNumberOfThreads() : 1;
-    loop = ThreadedFor([own] { return OthersWork() ? own : own * ProcessesHere; });
+    loop = ThreadedFor([own, processes] { return OthersWork() ? own : own * processes; });
   }
   return [loop](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
   {

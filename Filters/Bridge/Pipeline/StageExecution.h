@@ -65,8 +65,9 @@ private:
 /// Where processes of this machine work for this one it takes their threads while they sleep.
 ParallelFor SmpFor();
 /// How many processes of this machine are one run, whose first one this is: 1 unless it is told.
-/// Each has as many threads as this one.
+/// Each has as many threads as this one. What one library of the plugin sets holds for all.
 void SetProcessesHere(int count);
+int ProcessesHere();
 
 /// Knows whether a kept result still belongs to the parameters of its stage and to what comes in:
 /// the stage's own MTime and each input's pipeline MTime, never the MTime of the data, which
