@@ -79,7 +79,7 @@ std::string vtkCheckedFiles::WriteTogether(vtkStringArray* paths, vtkCollection*
 int vtkCheckedFiles::GetNumberOfThreads()
 {
   waft::SmpFor(); // chooses the backend
-  return vtkSMPTools::GetEstimatedNumberOfThreads();
+  return vtkSMPTools::GetEstimatedNumberOfThreads() * waft::ProcessesHere();
 }
 
 std::string vtkCheckedFiles::WriteRounded(const std::string& path, vtkDataObject* data,

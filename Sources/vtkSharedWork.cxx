@@ -19,7 +19,7 @@ void vtkSharedWork::Serve(vtkMultiProcessController* controller)
 {
   waft::ControllerCommunicator ranks(controller);
   const waft::ParallelFor parallelFor = waft::SmpFor();
-  waft::AirElsewhere elsewhere;
+  waft::AirElsewhere elsewhere(ranks);
   const auto simulate = [&](waft::ReadingStream& inputs, waft::SharedItems& items)
   { return waft::ServeSimulations(inputs, items, waft::ItemsAtOnce(), parallelFor); };
   const auto plan = [&](waft::ReadingStream& inputs, waft::SharedItems& items)

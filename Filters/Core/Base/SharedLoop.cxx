@@ -18,10 +18,10 @@ constexpr milliseconds Glance{ 50 };      // between two looks at what goes on h
 constexpr milliseconds GlanceAround{ 5 }; // the same where other ranks wait for answers
 constexpr milliseconds GlanceBack{ 20 };  // of another rank, at whether it is still wanted
 
-/// Runs the work in a thread of its own; the caller's looks every now and then, which tells whether
-/// something is done elsewhere still.
-void RunBeside(const std::function<void()>& work, const std::function<bool()>& look,
-               milliseconds period)
+/// Runs the work in a thread of its own; the caller's begins with `first`, and looks every now and
+/// then, which tells whether something is done elsewhere still.
+void RunBeside(const std::function<void()>& work, const std::function<void()>& first,
+               const std::function<bool()>& look, milliseconds period)
 {
   std::mutex mutex;
   std::condition_variable ended;
@@ -34,6 +34,7 @@ void RunBeside(const std::function<void()>& work, const std::function<bool()>& l
       hasEnded = true;
       ended.notify_one();
     });
+  first();
   std::unique_lock<std::mutex> lock(mutex);
   bool isElsewhere = false;
   while (!ended.wait_for(lock, period, [&]() { return hasEnded && !isElsewhere; }))
@@ -114,6 +115,13 @@ Result RunShared(const SharedLoop& loop, Communicator* ranks, const ParallelFor&
   }
   WorkSharing others(all, loop.Kind, job);
   job = MemoryStream(); // which they have now
+  const auto send = [&]()
+  {
+    if (loop.Send && all.Size() > 1)
+    {
+      loop.Send(all);
+    }
+  };
   Result shared = Result::Ok();
   const auto look = [&]()
   {
@@ -133,7 +141,7 @@ Result RunShared(const SharedLoop& loop, Communicator* ranks, const ParallelFor&
     }
     return others.Away() > 0 && !stop;
   };
-  RunBeside(work, look, all.Size() > 1 ? GlanceAround : Glance);
+  RunBeside(work, send, look, all.Size() > 1 ? GlanceAround : Glance);
   return shared;
 }
 
@@ -156,7 +164,7 @@ void ServeLoop(SharedItems& items, int most, const ParallelFor& parallel,
         work(static_cast<std::size_t>(some[k]), results[k]);
       }
     };
-    RunBeside([&]() { parallel(some.size(), workSome); },
+    RunBeside([&]() { parallel(some.size(), workSome); }, [] {},
               [&]()
               {
                 stop = items.IsOver();

@@ -20,7 +20,10 @@ struct SharedLoop
   std::string Kind;                               // that the others know
   std::vector<std::size_t> Items;                 // begun from the first to the last
   std::function<void(StateArchive& inputs)> Tell; // all that the others need to know
-  std::function<void(std::size_t item)> Work;     // of any thread
+  /// What follows it, of the caller's thread while work has begun here; may be empty. The others
+  /// receive it before they ask for items.
+  std::function<void(Communicator& ranks)> Send;
+  std::function<void(std::size_t item)> Work; // of any thread
   /// What came of an item elsewhere, of the caller's thread.
   std::function<void(std::size_t item, ReadingStream& result)> Take;
   /// Of the caller's thread every now and then, where that does not work itself; may be empty.

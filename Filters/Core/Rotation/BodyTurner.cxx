@@ -21,8 +21,9 @@ namespace waft
 namespace
 {
 
-constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
-constexpr int AtOnce = 32;       // bodies a thread of another rank, which then asks for more
+constexpr std::size_t Batch = 8;          // objects between two ticks of the monitor
+constexpr std::size_t FewestToShare = 32; // fewer are turned sooner than others have begun
+constexpr int AtOnce = 32; // bodies a thread of another rank, which then asks for more
 
 PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const RotationInput& input)
 {
@@ -319,7 +320,8 @@ Result TurnBodies(const BodyTurner& turner, const ParallelFor& parallel, Monitor
   // A wind that is no air on tracks is rare, and stays here.
   const bool canTell = input.Wind == nullptr || input.Wind->IsEmpty() ||
                        (input.Air != nullptr && !input.Air->IsEmpty());
-  if (input.Ranks != nullptr && input.Ranks->Size() > 1 && canTell && !monitor.Publishes())
+  if (input.Ranks != nullptr && input.Ranks->Size() > 1 && canTell && !monitor.Publishes() &&
+      turned.size() >= FewestToShare)
   {
     return TurnByRanks(turner, *input.Ranks, parallel, monitor, turned);
   }

@@ -78,7 +78,7 @@ Flown FlownBy(int size, Monitor& monitor)
   EXPECT_TRUE(RunRanks(size,
                        [&](Communicator& ranks)
                        {
-                         AirElsewhere elsewhere;
+                         AirElsewhere elsewhere(ranks);
                          const auto serve = [&](ReadingStream& inputs, SharedItems& items)
                          {
                            ++jobs;

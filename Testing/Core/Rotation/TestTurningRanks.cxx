@@ -17,7 +17,7 @@ namespace
 RotationInput Leaves(bool isBlown)
 {
   RotationInput input = OneObject(CurledLeaf(), SwayingPath(60));
-  for (int id = 1; id < 9; ++id)
+  for (int id = 1; id < 36; ++id)
   {
     MotionObject object = input.Objects[0];
     object.ObjectId = 5 * id;

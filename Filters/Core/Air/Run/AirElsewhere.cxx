@@ -77,6 +77,21 @@ void MoveRun(StateArchive& stream, Told& told)
   AssimilationOptions::VisitAir(stream, told.Options);
 }
 
+template <class Air>
+void MoveAir(StateArchive& stream, Air& air)
+{
+  HalfSeries::VisitLattice(stream, air);
+  stream.Values(air.Values);
+}
+
+/// What the first rank sends. Where there is no memory for it the process ends, and with it all: it
+/// could not tell the first one in the middle of that.
+void Receive(Communicator& ranks, HalfSeries& air) noexcept
+{
+  BroadcastStream stream(ranks);
+  MoveAir(stream, air);
+}
+
 ToldRun ToldOf(const AirContext& run)
 {
   ToldRun told;
@@ -135,7 +150,7 @@ void SetState(BodyState state, BodyProblem& body, std::vector<Vec3>& path)
   path = std::move(state.Path);
 }
 
-void TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodies,
+bool TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodies,
              StateArchive& stream)
 {
   const bool isNewRun = !run.IsTold;
@@ -149,11 +164,6 @@ void TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodi
     const ToldRun told = ToldOf(run);
     MoveRun(stream, told);
   }
-  if (isNewAir)
-  {
-    HalfSeries::VisitLattice(stream, air);
-    stream.Values(air.Values);
-  }
   std::vector<BodyState> states;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
@@ -165,6 +175,13 @@ void TellRun(const AirContext& run, const HalfSeries& air, const AirBodies& bodi
   }
   const std::vector<BodyState>& all = states;
   stream.Values(all, bodies.IsOld);
+  return isNewAir;
+}
+
+void SendAir(const HalfSeries& air, Communicator& ranks)
+{
+  BroadcastStream stream(ranks);
+  MoveAir(stream, air);
 }
 
 struct AirElsewhere::Heard
@@ -185,7 +202,7 @@ struct AirElsewhere::Heard
   AirBodies Bodies;
 };
 
-AirElsewhere::AirElsewhere() = default;
+AirElsewhere::AirElsewhere(Communicator& ranks) : Ranks(ranks) {}
 AirElsewhere::~AirElsewhere() = default;
 
 Result AirElsewhere::Hear(StateArchive& stream, const ParallelFor& parallel)
@@ -193,6 +210,11 @@ Result AirElsewhere::Hear(StateArchive& stream, const ParallelFor& parallel)
   bool isNewRun = false, isNewAir = false;
   std::uint64_t sum = 0;
   stream.Values(isNewRun, isNewAir, sum);
+  if (isNewAir) // it comes before anything can be amiss here
+  {
+    this->Sum = sum;
+    Receive(this->Ranks, this->Series);
+  }
   if (isNewRun)
   {
     ToldRun told;
@@ -202,12 +224,6 @@ Result AirElsewhere::Hear(StateArchive& stream, const ParallelFor& parallel)
     WAFT_RETURN_IF_FAILED(now.Run.Obstacles.Build(now.Input.Obstacles));
     AssimilationOutput judged;
     WAFT_RETURN_IF_FAILED(SetUpBodies(now.Run, now.Bodies, judged));
-  }
-  if (isNewAir)
-  {
-    this->Sum = sum;
-    HalfSeries::VisitLattice(stream, this->Series);
-    stream.Values(this->Series.Values);
   }
   std::vector<BodyState> states;
   std::vector<char> isOld;

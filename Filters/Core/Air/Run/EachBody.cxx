@@ -69,10 +69,18 @@ Result EachBody(const AirContext& run, const HalfSeries& series, BodyTask task, 
       loop.Items.push_back(o);
     }
   }
+  bool isNewAir = false;
   loop.Tell = [&](StateArchive& stream)
   {
     stream.Values(task, iterations);
-    TellRun(run, series, bodies, stream);
+    isNewAir = TellRun(run, series, bodies, stream);
+  };
+  loop.Send = [&](Communicator& ranks)
+  {
+    if (isNewAir)
+    {
+      SendAir(series, ranks);
+    }
   };
   const auto goesOn = [&](std::size_t count)
   {

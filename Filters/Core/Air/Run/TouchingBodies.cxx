@@ -68,8 +68,12 @@ bool SolveTouching(const AirContext& run, const HalfSeries& air, const TouchingT
   }
   MemoryStream job;
   job.Values(task, contacts);
-  TellRun(run, air, bodies, job);
+  const bool isNewAir = TellRun(run, air, bodies, job);
   const WorkSharing others(*ranks, TouchingKind, job);
+  if (isNewAir)
+  {
+    SendAir(air, *ranks);
+  }
   job = MemoryStream(); // which they have now
   return SolveHere(run, air, task, contacts, *ranks, bodies, monitor);
 }
