@@ -85,18 +85,7 @@ Vec3 ShellCentroid(const TriangleMesh& mesh)
 
 double LargestExtent(const TriangleMesh& mesh)
 {
-  if (mesh.Points.empty())
-  {
-    return 0.0;
-  }
-  Vec3 low = mesh.Points.front();
-  Vec3 high = low;
-  for (const Vec3& p : mesh.Points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).maxCoeff();
+  return mesh.Points.empty() ? 0.0 : BoxAbout(mesh.Points).Size().maxCoeff();
 }
 
 Vec3 EllipsoidAbout(const TriangleMesh& mesh)

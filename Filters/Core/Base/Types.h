@@ -33,6 +33,19 @@ struct Box
     visit(of.Max...);
   }
 
+  /// Of no point: what is added to it alone counts.
+  static Box Nothing() { return { Vec3::Constant(1e30), Vec3::Constant(-1e30) }; }
+  void Add(const Vec3& point)
+  {
+    this->Min = this->Min.cwiseMin(point);
+    this->Max = this->Max.cwiseMax(point);
+  }
+  void Add(const Box& other)
+  {
+    this->Min = this->Min.cwiseMin(other.Min);
+    this->Max = this->Max.cwiseMax(other.Max);
+  }
+
   Vec3 Size() const { return this->Max - this->Min; }
   Vec3 Center() const { return 0.5 * (this->Min + this->Max); }
   /// L: the larger horizontal side [m].
@@ -44,6 +57,18 @@ struct Box
   }
   bool Contains(const Vec3& x) const { return this->InnerDistance(x) >= 0.0; }
 };
+
+/// Of points, or of boxes.
+template <class List>
+Box BoxAbout(const List& list)
+{
+  Box box = Box::Nothing();
+  for (const auto& item : list)
+  {
+    box.Add(item);
+  }
+  return box;
+}
 
 /// Frames are numbered from 0; frame k is at time k / FramesPerSecond [s].
 struct Timeline

@@ -36,8 +36,7 @@ SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& fiel
   }
   for (const Vec3& x : task.Way)
   {
-    this->SeedBox.Min = this->SeedBox.Min.cwiseMin(x);
-    this->SeedBox.Max = this->SeedBox.Max.cwiseMax(x);
+    this->SeedBox.Add(x);
   }
   if (task.Frames <= library.LongestSegment())
   {

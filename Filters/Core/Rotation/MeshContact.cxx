@@ -52,12 +52,6 @@ bool HasInside(const TriangleMesh& mesh)
   return IsClosed(welded);
 }
 
-Box BoxAbout(const TriangleCorners& triangle)
-{
-  return { triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]),
-           triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]) };
-}
-
 bool Overlap(const Box& a, const Box& b)
 {
   return (a.Min.array() <= b.Max.array()).all() && (b.Min.array() <= a.Max.array()).all();
@@ -68,24 +62,13 @@ Box Grown(const Box& box, double more)
   return { box.Min - Vec3::Constant(more), box.Max + Vec3::Constant(more) };
 }
 
-void Extend(const Box& more, Box& box)
-{
-  box.Min = box.Min.cwiseMin(more.Min);
-  box.Max = box.Max.cwiseMax(more.Max);
-}
-
-Box Nothing()
-{
-  return { Vec3::Constant(1e30), Vec3::Constant(-1e30) };
-}
-
 template <class Boxed>
 Box BoxAbout(const std::vector<Boxed>& some)
 {
-  Box about = Nothing();
+  Box about = Box::Nothing();
   for (const Boxed& one : some)
   {
-    Extend(one.Around, about);
+    about.Add(one.Around);
   }
   return about;
 }
@@ -126,12 +109,13 @@ ContactMesh::ContactMesh(const TriangleMesh& mesh) :
     { return mesh.Points[static_cast<std::size_t>(corners[k])]; };
     // As at a ball's poles.
     const bool isFlat = this->Triangles.Normal(static_cast<int>(t)).isZero();
-    this->Around.push_back(isFlat ? Nothing() : BoxAbout(TriangleCorners{ at(0), at(1), at(2) }));
+    this->Around.push_back(isFlat ? Box::Nothing()
+                                  : BoxAbout(TriangleCorners{ at(0), at(1), at(2) }));
     if (t % ClusterSize == 0)
     {
-      this->AroundSome.push_back(Nothing());
+      this->AroundSome.push_back(Box::Nothing());
     }
-    Extend(this->Around.back(), this->AroundSome.back());
+    this->AroundSome.back().Add(this->Around.back());
     this->Upright.push_back(this->Triangles.Normal(static_cast<int>(t)));
   }
 }

@@ -31,12 +31,11 @@ public:
     const std::vector<Vec3>& path = this->Tracks[track].Positions;
     for (std::size_t block = 0; block < this->Blocks; ++block)
     {
-      Box box{ Vec3::Constant(1e30), Vec3::Constant(-1e30) };
+      Box box = Box::Nothing();
       const std::size_t end = std::min((block + 1) * BlockFrames, path.size());
       for (std::size_t f = block * BlockFrames; f < end; ++f)
       {
-        box.Min = box.Min.cwiseMin(path[f]);
-        box.Max = box.Max.cwiseMax(path[f]);
+        box.Add(path[f]);
       }
       this->Boxes[block * this->Tracks.size() + track] = box;
     }

@@ -104,13 +104,7 @@ std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, 
   {
     file.Fail("a mesh with points");
   }
-  Vec3 low = mesh.Points.front();
-  Vec3 high = low;
-  for (const Vec3& p : mesh.Points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = BoxAbout(mesh.Points);
   const TargetFrame frame = this->ReadTargetFrame(node, false);
   const double extent = high.x() - low.x();
   if (node.Has("width") && !(extent > 0.0))

@@ -20,12 +20,7 @@ bool HasSolidsInside(const AssimilationInput& input)
   const double touching = 1e-6 * volume.Width();
   for (const ObstacleMesh& obstacle : input.Obstacles)
   {
-    Box box{ Vec3::Constant(1e300), Vec3::Constant(-1e300) };
-    for (const Vec3& vertex : obstacle.Mesh.Points)
-    {
-      box.Min = box.Min.cwiseMin(vertex);
-      box.Max = box.Max.cwiseMax(vertex);
-    }
+    const Box box = BoxAbout(obstacle.Mesh.Points);
     const bool apart = ((box.Max - volume.Min).array() <= touching).any() ||
                        ((volume.Max - box.Min).array() <= touching).any();
     if (!apart || obstacle.IsMoving())

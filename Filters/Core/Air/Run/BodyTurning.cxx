@@ -7,6 +7,7 @@
 #include "Air/Run/EachBody.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -19,8 +20,9 @@ namespace
 constexpr double Degree = 0.017453292519943295;  // rad
 constexpr double AgreeingMedian = 15.0 * Degree; // rad, that is wanted of each body
 constexpr double AgreeingHigh = 45.0 * Degree;   // of the 90th percentile
-constexpr int LastPasses = 3;
-constexpr double StepTime = 1.0 / 3.0; // s
+constexpr double StepTime = 1.0 / 3.0;           // s
+// Of the last passes. What tumbles is chaotic: other steps bring it elsewhere.
+constexpr std::array<double, 3> LastStepTimes = { StepTime, 0.5 * StepTime, 1.5 * StepTime };
 constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
@@ -247,13 +249,13 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
   return DriftOn(run, air, iterations, bodies, drifting);
 }
 
-Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
-                    AirBodies& bodies)
+Result TurnStepwise(const AirContext& run, const HalfSeries& air, double stepTime,
+                    const std::vector<char>& which, AirBodies& bodies)
 {
   const AirSampler sampler(air);
   const int frames = run.Input.Scene.Time.NumberOfFrames;
   const int stride =
-    std::max(1, static_cast<int>(std::lround(StepTime * run.Input.Scene.Time.FramesPerSecond)));
+    std::max(1, static_cast<int>(std::lround(stepTime * run.Input.Scene.Time.FramesPerSecond)));
   for (int first = 0; first < frames - 1; first += stride)
   {
     Turning turning;
@@ -307,7 +309,7 @@ Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& 
   {
     which.push_back(Disagreement(own) > 1.0 ? 1 : 0);
   }
-  return IsNobody(which) ? found : TurnStepwise(run, air, which, bodies);
+  return IsNobody(which) ? found : TurnStepwise(run, air, StepTime, which, bodies);
 }
 
 Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
@@ -321,8 +323,12 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodie
   }
   const std::vector<double> before = ControlShares(run, air, bodies);
   std::vector<char> which = Everybody(bodies);
-  for (int pass = 0; pass < LastPasses && result && !result.IsStopped(); ++pass)
+  for (const double stepTime : LastStepTimes)
   {
+    if (!result || result.IsStopped())
+    {
+      break;
+    }
     for (std::size_t o = 0; o < bodies.Size(); ++o)
     {
       which[o] = which[o] && least[o] > 1.0 && !bodies.IsKept(o) ? 1 : 0;
@@ -333,7 +339,7 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodie
     }
     const std::vector<std::vector<Vec3>> paths = bodies.Paths;
     const std::vector<PoseTrack> poses = bodies.Poses;
-    result = TurnStepwise(run, air, which, bodies);
+    result = TurnStepwise(run, air, stepTime, which, bodies);
     if (result && !result.IsStopped())
     {
       PartMonitor drifting(run.Caller, -1.0, -1.0, DriftingText);
@@ -357,7 +363,6 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodie
         bodies.Paths[o] = paths[o];
         bodies.Poses[o] = poses[o];
         bodies.Problems[o].SetSlips(poses[o].Slips);
-        which[o] = 0; // it would be the same again
       }
     }
   }

@@ -4,7 +4,9 @@
 #include "Air/Drift/DriftTogether.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <utility>
 
 namespace waft
 {
@@ -13,6 +15,10 @@ namespace
 
 // Fewer give way sooner than the others have heard of them.
 constexpr std::ptrdiff_t FewestToDivide = 64;
+// More are one part after the other, each with the others where they are: the equations of all
+// would fill the memory, and wait for the slowest.
+constexpr std::size_t MostTogether = 1024;
+constexpr int IterationsOfPart = 16; // the air changes anyhow, or they give way once more
 
 // Those that may move, among the others.
 std::vector<TogetherBody> Together(const AirContext& run, const AirSampler& air,
@@ -54,10 +60,54 @@ bool SolveHere(const AirContext& run, const HalfSeries& series, const TouchingTa
                        task.Iterations, run.Parallel, ranks, monitor, bodies.Paths);
 }
 
-} // namespace
+// By body: the middle of where it is near to others.
+std::vector<Vec3> PlacesOf(const std::vector<DriftContact>& contacts, const AirBodies& bodies)
+{
+  std::vector<Vec3> places(bodies.Size(), Vec3::Zero());
+  std::vector<std::size_t> counts(bodies.Size(), 0);
+  for (const DriftContact& contact : contacts)
+  {
+    for (const std::size_t o : { contact.A, contact.B })
+    {
+      places[o] += bodies.Paths[o][static_cast<std::size_t>(contact.Frame)];
+      ++counts[o];
+    }
+  }
+  for (std::size_t o = 0; o < places.size(); ++o)
+  {
+    places[o] /= static_cast<double>(std::max<std::size_t>(counts[o], 1));
+  }
+  return places;
+}
 
-bool SolveTouching(const AirContext& run, const HalfSeries& air, const TouchingTask& task,
-                   const std::vector<DriftContact>& contacts, AirBodies& bodies, Monitor& monitor)
+// Halves across the widest axis, and of these, until none has more than MostTogether: those that
+// are near to each other are in one part but for few.
+void AddParts(const std::vector<Vec3>& places, std::vector<std::size_t> whole,
+              std::vector<std::vector<std::size_t>>& parts)
+{
+  if (whole.size() <= MostTogether)
+  {
+    parts.push_back(std::move(whole));
+    return;
+  }
+  Box box = Box::Nothing();
+  for (const std::size_t o : whole)
+  {
+    box.Add(places[o]);
+  }
+  int axis = 0;
+  box.Size().maxCoeff(&axis);
+  const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2);
+  std::nth_element(
+    whole.begin(), middle, whole.end(),
+    [&](std::size_t one, std::size_t other)
+    { return std::pair(places[one][axis], one) < std::pair(places[other][axis], other); });
+  AddParts(places, { whole.begin(), middle }, parts);
+  AddParts(places, { middle, whole.end() }, parts);
+}
+
+bool SolvePart(const AirContext& run, const HalfSeries& air, const TouchingTask& task,
+               const std::vector<DriftContact>& contacts, AirBodies& bodies, Monitor& monitor)
 {
   SingleRank alone;
   Communicator* ranks = run.Input.Ranks;
@@ -76,6 +126,46 @@ bool SolveTouching(const AirContext& run, const HalfSeries& air, const TouchingT
   }
   job = MemoryStream(); // which they have now
   return SolveHere(run, air, task, contacts, *ranks, bodies, monitor);
+}
+
+} // namespace
+
+bool SolveTouching(const AirContext& run, const HalfSeries& air, const TouchingTask& task,
+                   const std::vector<DriftContact>& contacts, AirBodies& bodies, Monitor& monitor)
+{
+  std::vector<std::size_t> moving;
+  for (std::size_t o = 0; o < task.Which.size(); ++o)
+  {
+    if (task.Which[o])
+    {
+      moving.push_back(o);
+    }
+  }
+  if (moving.size() <= MostTogether)
+  {
+    return SolvePart(run, air, task, contacts, bodies, monitor);
+  }
+  std::vector<std::vector<std::size_t>> parts;
+  AddParts(PlacesOf(contacts, bodies), std::move(moving), parts);
+  for (const std::vector<std::size_t>& part : parts)
+  {
+    TouchingTask own = task;
+    own.Iterations = std::min(task.Iterations, IterationsOfPart);
+    own.Which.assign(task.Which.size(), 0);
+    for (const std::size_t o : part)
+    {
+      own.Which[o] = 1;
+    }
+    std::vector<DriftContact> near;
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(near),
+                 [&own](const DriftContact& contact)
+                 { return own.Which[contact.A] || own.Which[contact.B]; });
+    if (!SolvePart(run, air, own, near, bodies, monitor))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 Result ServeTouching(ReadingStream& inputs, Communicator& ranks, const ParallelFor& parallel,

@@ -66,13 +66,7 @@ bool IsGround(const ObstacleMesh& obstacle, const Box& volume, double& top)
   {
     return false;
   }
-  Vec3 low = obstacle.Mesh.Points.front();
-  Vec3 high = low;
-  for (const Vec3& p : obstacle.Mesh.Points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = BoxAbout(obstacle.Mesh.Points);
   const double slack = 1e-9 * volume.Width();
   for (const Vec3& p : obstacle.Mesh.Points)
   {
