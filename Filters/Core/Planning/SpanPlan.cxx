@@ -44,6 +44,9 @@ private:
   bool Hover();
 
   void JudgeSpeed();
+  int MostCandidates() const;
+  int EnoughCandidates() const;
+  bool IsWanting() const;
   void Attempt(const Join& join);
   bool Fly(int flights);
   ClearanceField FlightField(const ClearanceField& base) const;
@@ -177,6 +180,27 @@ void SpanPlanner::Attempt(const Join& join)
   }
 }
 
+int SpanPlanner::MostCandidates() const
+{
+  return this->Options.Gauge != nullptr ? this->Options.NumberOfCandidates : 1;
+}
+
+int SpanPlanner::EnoughCandidates() const
+{
+  const int most = this->MostCandidates();
+  const double lengths = this->Task.Frames * this->Options.FrameStep / PlannerNumbers::LongFlight;
+  const double few = most / std::max(1.0, lengths * lengths);
+  return std::max(std::min(most, PlannerNumbers::FewestCandidates),
+                  static_cast<int>(std::lround(few)));
+}
+
+/// Whether there are not enough paths to choose from yet, or none of them without a fault.
+bool SpanPlanner::IsWanting() const
+{
+  return this->Candidates < this->EnoughCandidates() ||
+         (this->Candidates < this->MostCandidates() && this->Merit >= PlannerNumbers::JerkPenalty);
+}
+
 /// Trees grow until they have met often enough.
 bool SpanPlanner::JoinTrees()
 {
@@ -185,11 +209,10 @@ bool SpanPlanner::JoinTrees()
     return false;
   }
   const int limit = this->Options.MaximumNumberOfBranches;
-  const int enough = this->Options.Gauge != nullptr ? this->Options.NumberOfCandidates : 1;
   const int roughAfter =
     this->Task.Way.empty() ? PlannerNumbers::RoughAfter : PlannerNumbers::RoughAfterInMaze;
   int firstFound = 0;
-  for (int step = 0; this->Candidates < enough && step < PlannerNumbers::StepsPerBranch * limit &&
+  for (int step = 0; this->IsWanting() && step < PlannerNumbers::StepsPerBranch * limit &&
                      this->Search->NumberOfBranches() < limit && this->Tries <= limit;
        ++step)
   {
@@ -206,7 +229,7 @@ bool SpanPlanner::JoinTrees()
     const double threshold = std::min(PlannerNumbers::MildestThreshold,
                                       this->Options.JoinThreshold * (1.0 + patience * patience));
     Join join;
-    while (this->Candidates < enough && this->Search->Take(threshold, join))
+    while (this->IsWanting() && this->Search->Take(threshold, join))
     {
       this->Attempt(join);
     }

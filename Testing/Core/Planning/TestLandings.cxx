@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 using namespace waft;
 using namespace waft::test;
 
@@ -111,4 +113,24 @@ TEST(Landings, ThatMustBeQuickComeBeforeTheirManner)
     EXPECT_LT((p[row.Frame] - p[row.Frame - 1]).norm() * 30.0, 0.1) << row.Row;
     EXPECT_LE(FastestStep(output.Tracks[row.ObjectId]), 1.5 * SwirlDatabase().TopSpeed);
   }
+}
+
+// Of a long flight more paths fail, and each takes longer to fit: there are fewer to choose from.
+TEST(Landings, TakeAFrameOfALongFlightNoLongerThanOfAShortOne)
+{
+  const auto secondsOfAFrame = [](int frames)
+  {
+    PlanScene scene;
+    AddLetters(scene, 12, frames);
+    EXPECT_TRUE(scene.Obstacles.Build(scene.Meshes));
+    SwirlDatabase();
+    const std::clock_t begin = std::clock();
+    const PlanOutput output = scene.Run(1);
+    for (const Constraint& row : output.Constraints)
+    {
+      EXPECT_EQ(row.Status, ConstraintStatus::Met) << row.Target;
+    }
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / (frames - 50.0);
+  };
+  EXPECT_LT(secondsOfAFrame(3000), 2.0 * secondsOfAFrame(300));
 }
