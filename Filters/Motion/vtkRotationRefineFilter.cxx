@@ -161,7 +161,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   given->ShallowCopy(vtkPolyData::GetData(inputs[TracksPort])->GetPointData());
   this->Rotation = waft::RotationOutput();
   this->Air.Finish();
-  const waft::AirOnTracks air = std::move(this->Air);
+  waft::AirOnTracks air = std::move(this->Air);
   input.Air = &air;
   WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
   waft::ObstacleSet obstacles;
@@ -175,6 +175,8 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   const waft::Result result =
     waft::RunRotationRefine(input, waft::OptionsOf<waft::RotationOptions>(*this->Self),
                             waft::SmpFor(), monitor, this->Rotation);
+  input.Air = nullptr;
+  air = waft::AirOnTracks(); // of many bodies it is as large as what they do
   this->Rejoin();
   if (result && !result.IsStopped()) // half of the poses are of no use
   {
