@@ -121,10 +121,11 @@ struct PlannerNumbers
 
   /// @name Choosing among paths. Distances of style are below 2.
   ///@{
-  /// s without a mark, up to which all candidates are looked for. Of twice as long a flight twice as
-  /// much is to be fitted for each, and twice as many fail; it shows more of its style by itself.
+  /// s without a mark, up to which all candidates are looked for. Of twice as long a flight twice
+  /// as much is to be fitted for each, and twice as many fail; it shows more of its style by
+  /// itself.
   static constexpr double LongFlight = 20.0;
-  static constexpr int FewestCandidates = 3; // of a longer one
+  static constexpr int FewestCandidates = 3;        // of a longer one
   static constexpr double HardLandingPenalty = 4.0; // more than any difference in style
   static constexpr double JerkPenalty = 1.0;        // half of what styles can differ by
   /// Of a path twice as fierce as air ever is, against the distances of style.
