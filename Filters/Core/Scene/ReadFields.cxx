@@ -19,7 +19,7 @@ namespace
 // Whether the box around an obstacle meets the volume at any frame.
 bool EntersVolume(const ObstacleMesh& obstacle, const Box& volume)
 {
-  const Box box = BoundsOf(obstacle.Mesh);
+  const Box box = BoxAbout(obstacle.Mesh.Points);
   const auto meets = [&](const Vec3& offset)
   {
     return ((box.Min + offset).array() <= volume.Max.array()).all() &&
@@ -34,7 +34,7 @@ bool EntersVolume(const ObstacleMesh& obstacle, const Box& volume)
 // plain form do not cut themselves, and of a thousand spheres it need not be looked for.
 bool IsNearlyRounded(const TriangleMesh& mesh)
 {
-  const Box box = BoundsOf(mesh);
+  const Box box = BoxAbout(mesh.Points);
   const double farthest = box.Min.cwiseAbs().cwiseMax(box.Max.cwiseAbs()).maxCoeff();
   return !(box.Size().minCoeff() > 1e-6 * farthest);
 }

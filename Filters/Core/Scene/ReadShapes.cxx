@@ -295,7 +295,7 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
   const auto& obstacles = this->Out.Obstacles;
   while (this->BoxOfObstacle.size() < obstacles.size())
   {
-    this->BoxOfObstacle.push_back(BoundsOf(obstacles[this->BoxOfObstacle.size()].Mesh));
+    this->BoxOfObstacle.push_back(BoxAbout(obstacles[this->BoxOfObstacle.size()].Mesh.Points));
   }
   const auto isAdmissible = [&](const Vec3& x)
   {

@@ -114,7 +114,7 @@ Result ServeBodies(ReadingStream& inputs, SharedItems& items, int atOnce,
   int iterations = 0;
   inputs.Values(task, iterations);
   WAFT_RETURN_IF_FAILED(elsewhere.Hear(inputs, parallel));
-  inputs = ReadingStream(std::vector<char>()); // as large as the air
+  inputs = ReadingStream(std::vector<char>()); // what it says is known now
   const AirContext& run = elsewhere.Run();
   AirBodies& bodies = elsewhere.Bodies();
   const AirSampler air(elsewhere.Air());

@@ -175,7 +175,7 @@ Result ServeTouching(ReadingStream& inputs, Communicator& ranks, const ParallelF
   std::vector<DriftContact> contacts;
   inputs.Values(task, contacts);
   WAFT_RETURN_IF_FAILED(elsewhere.Hear(inputs, parallel));
-  inputs = ReadingStream(std::vector<char>()); // as large as the air
+  inputs = ReadingStream(std::vector<char>()); // what it says is known now
   SilentMonitor silent;                        // the first rank's is asked
   (void)SolveHere(elsewhere.Run(), elsewhere.Air(), task, contacts, ranks, elsewhere.Bodies(),
                   silent);
