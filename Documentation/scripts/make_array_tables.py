@@ -56,6 +56,7 @@ UNITS = {name: unit for unit, names in {
           "IsConnectible Key Facing FaceUp Lift RotationalLift PressureShift Pace",
     "rad": "FacingTolerance Spin",
     "degrees": "Agreement",
+    "degrees a frame": "TurningLimit",
 }.items() for name in names.split()}
 OF_THE_KIND = "of the kind"  # m, m/s, m/s^2 or rad, as the row's Kind says
 PORT_UNITS = {("Constraints", "Value"): OF_THE_KIND, ("Constraints", "Radius"): OF_THE_KIND, ("Report", "Residual"): OF_THE_KIND,

@@ -46,7 +46,7 @@ texts or pictures nothing to be read.
 | cuts | body-frames with a mesh in another's, %; the same beside marks that leave no room | <= 0.1; |
 | glide | correlation of gliding downhill with sin(2 tilt) | |
 | agreement | degrees that poses are off what the air turns in half a second | <= 15; <= 45 |
-| turning | steps of more than 25 degrees, %; within a degree of the largest, % | <= 5; <= 5 |
+| turning | steps of more than 25 degrees, %; within a degree of the limit, % | <= 5; <= 5 |
 | spacing | distance to the nearest before a common mark over that of straight paths; alignment of neighbours over that of free bodies | >= 0.7; <= 1.5 |
 | legibility | correlation of the silhouette with the drawing; were all to face the reader | half way where `facing` is asked |
 | exact | largest miss of a row that is met | <= 1e-9 |

@@ -77,6 +77,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
 {
   vtkRotationRefineFilter* Self;
   std::vector<waft::Track> Tracks;
+  vtkNew<vtkPointData> Left; // of the points of Tracks: what turning does not need
   waft::AirOnTracks Air;
   waft::RotationOutput Rotation;
   waft::PosedMeshes Meshes;
@@ -103,6 +104,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   void Clear() override
   {
     this->Tracks.clear();
+    this->Left->Initialize();
     this->Air = waft::AirOnTracks();
     this->Rotation = waft::RotationOutput();
     this->Input = waft::RotationInput();
@@ -116,8 +118,8 @@ waft::Result vtkRotationRefineFilter::Internals::TakePass(vtkInformationVector**
 {
   if (isFirst)
   {
-    WAFT_RETURN_IF_FAILED(
-      waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), this->Tracks));
+    WAFT_RETURN_IF_FAILED(waft::FlightsFromPolyData(vtkPolyData::GetData(inputs[TracksPort]),
+                                                    this->Tracks, this->Left));
     this->Air = waft::AirOnTracks(this->Tracks, this->Scene.Time);
   }
   return this->Air.Add(this->Fields.TakeAir());
@@ -184,12 +186,11 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     const std::vector<double> farthest = waft::ApplyShifts(this->Rotation, this->Tracks);
     this->Warnings = this->Rotation.Warnings;
     waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
-                          this->Kept<vtkPolyData>(PosesPort));
+                          this->Kept<vtkPolyData>(PosesPort), this->Left);
     waft::ShareEqualArrays(given, this->Kept<vtkPolyData>(PosesPort)->GetPointData());
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);
-    waft::AddAgreement(this->Rotation.Away, this->Kept<vtkPolyData>(PosesPort));
-    waft::AddBodyFactors(this->Rotation.Factors, this->Kept<vtkPolyData>(PosesPort));
+    waft::AddTurning(this->Rotation, this->Kept<vtkPolyData>(PosesPort));
     waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
     waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
     this->KeepWhatMeshesNeed();
@@ -238,7 +239,7 @@ void vtkRotationRefineFilter::Internals::Publish()
     this->PublishedPoses.push_back(std::move(still));
   }
   waft::PosesToPolyData(this->Input.Tracks, this->PublishedPoses, this->Scene,
-                        this->Kept<vtkPolyData>(PosesPort));
+                        this->Kept<vtkPolyData>(PosesPort), this->Left);
 }
 
 waft::Result vtkRotationRefineFilter::Internals::PublishFrom(vtkInformationVector** inputs)
@@ -247,7 +248,7 @@ waft::Result vtkRotationRefineFilter::Internals::PublishFrom(vtkInformationVecto
   this->Rotation = waft::RotationOutput();
   this->PublishedPoses.clear();
   WAFT_RETURN_IF_FAILED(
-    waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), this->Tracks));
+    waft::FlightsFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), this->Tracks, this->Left));
   WAFT_RETURN_IF_FAILED(this->Take(inputs, this->Input));
   WAFT_RETURN_IF_FAILED(this->BuildMeshes(inputs, this->Input));
   this->Publish();

@@ -361,11 +361,13 @@ class DefinitionTest(unittest.TestCase):
         folder = write_folder(os.path.join(WORK, "turning"), waves(COUNT, 0.5, frames=FRAMES))
         self.assertTrue(math.isnan(measure(folder)[0]["turning"].value))
 
-        def shares(degrees):
+        def shares(degrees, limit=None):
             poses = read_surface(os.path.join(folder, "planned.vtp"))
             angle = np.radians(np.concatenate([np.zeros((COUNT, 1)), np.cumsum(degrees, axis=1)], axis=1)).reshape(-1)
             zero = np.zeros_like(angle)
             sample_folder.add(poses.GetPointData(), "Orientation", np.stack([np.cos(angle / 2), zero, zero, np.sin(angle / 2)], axis=1))
+            if limit is not None:
+                sample_folder.add(poses.GetFieldData(), "TurningLimit", [limit])
             write_xml(poses, os.path.join(folder, "poses.vtp"))
             measured = measure(folder)[0]
             return [measured[key] for key in ("turning", "turning_peak")]
@@ -377,6 +379,8 @@ class DefinitionTest(unittest.TestCase):
         self.assertAlmostEqual(fast.value, 9 / 89, delta=1e-3)
         self.assertAlmostEqual(peak.value, fast.value)
         self.assertFalse(fast.met or peak.met)
+        self.assertAlmostEqual(shares(degrees, limit=40.5)[1].value, fast.value)
+        self.assertEqual(shares(degrees, limit=60.0)[1].value, 0.0, "all turn freely, many at one rate")
 
     def test_bodies_that_are_in_each_other_are_counted(self):
         """Two rows of sheets that stand still but for one, which passes through its neighbour at right angles."""

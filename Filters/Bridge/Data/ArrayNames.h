@@ -53,8 +53,9 @@ constexpr const char* RestHeight = "RestHeight";
 
 // Poses (of each line).
 constexpr const char* Shift = "Shift";
-constexpr const char* Agreement = "Agreement"; // degrees; of all bodies as field data
-constexpr const char* Slip = "Slip";           // m/s, of a body relative to the air
+constexpr const char* Agreement = "Agreement";       // degrees; of all bodies as field data
+constexpr const char* TurningLimit = "TurningLimit"; // degrees a frame; of all bodies
+constexpr const char* Slip = "Slip";                 // m/s, of a body relative to the air
 // What each turns and glides by, besides its shape's DragCoefficient and Damping, which vary, too.
 constexpr const char* Lift = "Lift";
 constexpr const char* RotationalLift = "RotationalLift";

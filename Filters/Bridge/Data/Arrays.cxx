@@ -230,6 +230,12 @@ Result ReadNumber(vtkFieldData* data, const std::string& owner, const char* name
   return Result::Ok();
 }
 
+Result CheckNumbers(const ArraySource& source, const char* name, int components)
+{
+  vtkDataArray* array = nullptr;
+  return Find(source, name, components, false, RangeOf(source, name), array);
+}
+
 Result ReadDoubles(const ArraySource& source, const char* name, std::vector<double>& values,
                    const double* fallback)
 {

@@ -52,6 +52,10 @@ struct ArraySource
   bool IsComputed = false;
 };
 
+/// What the following check before they read: an array that is there, so many components and tuples
+/// of numbers.
+Result CheckNumbers(const ArraySource& source, const char* name, int components);
+
 /// Read an array of one component (three, four); the message names owner and array, what was
 /// expected and the first entry that is out of the range of its name (a whole number for ints).
 /// With a fallback an absent array is filled with it.

@@ -8,6 +8,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/TrackData.h"
+#include "Rotation/RotationRefine.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -28,9 +29,9 @@ namespace waft
 {
 
 void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
-                     const SceneInfo& info, vtkPolyData* data)
+                     const SceneInfo& info, vtkPolyData* data, vtkPointData* left)
 {
-  TracksToPolyData(tracks, info, data);
+  TracksToPolyData(tracks, info, data, left);
   // Array by array, so that but one of them is there twice.
   const auto joined = [&](auto member)
   {
@@ -49,6 +50,7 @@ void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTra
 
 namespace
 {
+const double DegreesPerRadian = 180.0 / std::acos(-1.0);
 
 /// Median and 90th percentile in degrees.
 std::array<double, 2> AgreementOf(std::vector<double> away)
@@ -57,7 +59,7 @@ std::array<double, 2> AgreementOf(std::vector<double> away)
   const auto at = [&away](double part)
   {
     const auto k = static_cast<std::size_t>(part * static_cast<double>(away.size()));
-    return away.empty() ? std::nan("") : away[k] * 180.0 / std::acos(-1.0);
+    return away.empty() ? std::nan("") : away[k] * DegreesPerRadian;
   };
   return { at(0.5), at(0.9) };
 }
@@ -73,8 +75,6 @@ void AddPairs(const std::vector<std::array<double, 2>>& pairs, vtkFieldData* dat
   }
   data->AddArray(values);
 }
-
-} // namespace
 
 void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* data)
 {
@@ -115,6 +115,16 @@ void AddBodyFactors(const std::vector<BodyFactors>& factors, vtkPolyData* data)
     }
     AddDoubles(data->GetCellData(), name, values);
   }
+}
+
+} // namespace
+
+void AddTurning(const RotationOutput& rotation, vtkPolyData* data)
+{
+  AddAgreement(rotation.Away, data);
+  AddBodyFactors(rotation.Factors, data);
+  AddDoubles(data->GetFieldData(), names::TurningLimit,
+             { rotation.TurningLimit * DegreesPerRadian });
 }
 
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,

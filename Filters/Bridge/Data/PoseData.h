@@ -15,21 +15,24 @@
 #include <string>
 #include <vector>
 
+class vtkPointData;
 class vtkPolyData;
 
 namespace waft
 {
 
+struct RotationOutput;
+
 /// Tracks plus the point data `Orientation`, `AngularVelocity`, `Torque`. poses: one for each
-/// track, in their order.
+/// track, in their order. left: as TracksToPolyData says.
 void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
-                     const SceneInfo& info, vtkPolyData* data);
-/// Adds `Agreement` (double[2], degrees): of each line, and of all as field data, the median and
-/// the 90th percentile of how far turning in the air leads away from poses that came with their
-/// path [rad, by line]; NaN of a line without. Nothing where no line has any.
-void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* data);
-/// Adds what bodies turn and glide by, a number of each line.
-void AddBodyFactors(const std::vector<BodyFactors>& factors, vtkPolyData* data);
+                     const SceneInfo& info, vtkPolyData* data, vtkPointData* left = nullptr);
+/// Adds to poses what is known of their turning. Of each line: what its body turns and glides by.
+/// Of each line and of all, as field data: `Agreement` (double[2], degrees), the median and the
+/// 90th percentile of how far turning in the air leads away from poses that came with their path;
+/// NaN of a line without, and nothing where no line has any. Of all: `TurningLimit` (degrees a
+/// frame).
+void AddTurning(const RotationOutput& rotation, vtkPolyData* data);
 /// Places and poses alone: of a large scene all that tracks have would be most of the memory. Needs
 /// `Orientation`; angular velocities are zero where they are absent.
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,

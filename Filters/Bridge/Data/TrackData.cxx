@@ -8,6 +8,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -49,9 +51,115 @@ Result ReadOptional(const ArraySource& source, const char* name, std::vector<int
   return source.Data->GetAbstractArray(name) ? ReadInts(source, name, values) : Result::Ok();
 }
 
+struct VectorAnnotation
+{
+  const char* Name;
+  std::vector<Vec3> Track::*Member;
+  bool IsAlways; // written, as none, where no track has it
+};
+
+// In the order of the arrays.
+constexpr VectorAnnotation Annotations[] = {
+  { names::VortexAcceleration, &Track::VortexAccelerations, true },
+  { names::WindAcceleration, &Track::WindAccelerations, true },
+  { names::Force, &Track::Forces, false },
+  { names::AirVelocity, &Track::AirVelocities, false },
+  { names::SPHVelocity, &Track::SphVelocities, false },
+  { names::Residual, &Track::Residuals, false },
+};
+
+/// Whether the points are those of the first line, then those of the next one, and so on.
+bool IsInOrder(vtkPolyData* data)
+{
+  vtkIdType next = 0;
+  vtkNew<vtkIdList> line;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, line);
+    for (const vtkIdType id : *line)
+    {
+      if (id != next++)
+      {
+        return false;
+      }
+    }
+  }
+  return next == data->GetNumberOfPoints();
+}
+
+/// Puts an array aside that is one of TracksToPolyData. Whatever is not is for who reads it.
+bool IsLeft(const ArraySource& points, const char* name, int type, int components,
+            vtkPointData* left)
+{
+  vtkDataArray* array = points.Data->GetArray(name);
+  if (array == nullptr || array->GetDataType() != type || !CheckNumbers(points, name, components) ||
+      (type == VTK_UNSIGNED_CHAR && array->GetRange()[1] > static_cast<double>(ForceType::Vortex)))
+  {
+    return false;
+  }
+  left->AddArray(array);
+  return true;
+}
+
+/// left: arrays that are as an output of tracks has them go there unread; or null.
+Result ReadTracks(vtkPolyData* data, const std::string& input, vtkPointData* left,
+                  std::vector<Track>& tracks)
+{
+  std::vector<Track> read;
+  WAFT_RETURN_IF_FAILED(PathsFromPolyData(data, read, input));
+  const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
+  const bool leaves = left != nullptr && IsInOrder(data);
+  // Array by array, so that but one of them is there twice.
+  const auto take = [&](const auto& all, auto member) { TakeByLine(data, all, member, read); };
+  if (!leaves || !IsLeft(points, names::ForceType, VTK_UNSIGNED_CHAR, 1, left))
+  {
+    std::vector<int> types;
+    WAFT_RETURN_IF_FAILED(ReadOptional(points, names::ForceType, types));
+    std::vector<ForceType> forceTypes;
+    for (const int type : types)
+    {
+      forceTypes.push_back(static_cast<ForceType>(std::clamp(type, 0, 2)));
+    }
+    take(forceTypes, &Track::ForceTypes);
+  }
+  if (!leaves || !IsLeft(points, names::VortexId, VTK_INT, 1, left))
+  {
+    std::vector<int> vortexIds;
+    WAFT_RETURN_IF_FAILED(ReadOptional(points, names::VortexId, vortexIds));
+    take(vortexIds, &Track::VortexIds);
+  }
+  for (const VectorAnnotation& one : Annotations)
+  {
+    const bool isNeeded = one.Member == &Track::AirVelocities; // of who turns bodies
+    if (!leaves || isNeeded || !IsLeft(points, one.Name, VTK_DOUBLE, 3, left))
+    {
+      std::vector<Vec3> all;
+      WAFT_RETURN_IF_FAILED(ReadOptional(points, one.Name, all));
+      take(all, one.Member);
+    }
+  }
+  std::vector<Vec3> slips;
+  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Slip, slips));
+  take(slips, &Track::Slips);
+  if (!slips.empty())
+  {
+    slips = std::vector<Vec3>();
+    std::vector<Quat> orientations;
+    WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
+    take(orientations, &Track::Orientations);
+    orientations = std::vector<Quat>();
+    std::vector<Vec3> spins;
+    WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins));
+    take(spins, &Track::AngularVelocities);
+  }
+  tracks = std::move(read);
+  return Result::Ok();
+}
+
 } // namespace
 
-void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, vtkPolyData* data)
+void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, vtkPolyData* data,
+                      vtkPointData* left)
 {
   const Vec3 zero = Vec3::Zero();
   std::size_t samples = 0;
@@ -106,26 +214,30 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   AddInts(arrays, names::Frame, std::exchange(frames, {}));
   AddDoubles(arrays, names::Time, std::exchange(times, {}));
   AddVectors(arrays, names::Velocity, std::exchange(velocities, {}));
-  std::vector<unsigned char> typeBytes;
-  for (const ForceType type : joined(&Track::ForceTypes, ForceType::None))
+  const auto isLeft = [&](const char* name)
   {
-    typeBytes.push_back(static_cast<unsigned char>(type));
-  }
-  AddBytes(arrays, names::ForceType, typeBytes);
-  AddInts(arrays, names::VortexId, joined(&Track::VortexIds, -1));
-  AddVectors(arrays, names::VortexAcceleration, joined(&Track::VortexAccelerations, zero));
-  AddVectors(arrays, names::WindAcceleration, joined(&Track::WindAccelerations, zero));
-  const std::pair<const char*, std::vector<Vec3> Track::*> optional[] = {
-    { names::Force, &Track::Forces },
-    { names::AirVelocity, &Track::AirVelocities },
-    { names::SPHVelocity, &Track::SphVelocities },
-    { names::Residual, &Track::Residuals },
+    vtkDataArray* array = left != nullptr ? left->GetArray(name) : nullptr;
+    arrays->AddArray(array); // nothing is done with none
+    return array != nullptr;
   };
-  for (const auto& [name, member] : optional)
+  if (!isLeft(names::ForceType))
   {
-    if (has(member))
+    std::vector<unsigned char> typeBytes;
+    for (const ForceType type : joined(&Track::ForceTypes, ForceType::None))
     {
-      AddVectors(arrays, name, joined(member, zero));
+      typeBytes.push_back(static_cast<unsigned char>(type));
+    }
+    AddBytes(arrays, names::ForceType, typeBytes);
+  }
+  if (!isLeft(names::VortexId))
+  {
+    AddInts(arrays, names::VortexId, joined(&Track::VortexIds, -1));
+  }
+  for (const VectorAnnotation& one : Annotations)
+  {
+    if (!isLeft(one.Name) && (one.IsAlways || has(one.Member)))
+    {
+      AddVectors(arrays, one.Name, joined(one.Member, zero));
     }
   }
   if (has(&Track::Slips))
@@ -167,49 +279,13 @@ Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const st
 
 Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const std::string& input)
 {
-  std::vector<Track> read;
-  WAFT_RETURN_IF_FAILED(PathsFromPolyData(data, read, input));
-  const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
-  // Array by array, so that but one of them is there twice.
-  const auto take = [&](const auto& all, auto member) { TakeByLine(data, all, member, read); };
-  std::vector<int> types, vortexIds;
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::ForceType, types));
-  std::vector<ForceType> forceTypes;
-  for (const int type : types)
-  {
-    forceTypes.push_back(static_cast<ForceType>(std::clamp(type, 0, 2)));
-  }
-  take(forceTypes, &Track::ForceTypes);
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::VortexId, vortexIds));
-  take(vortexIds, &Track::VortexIds);
-  const std::pair<const char*, std::vector<Vec3> Track::*> vectors[] = {
-    { names::VortexAcceleration, &Track::VortexAccelerations },
-    { names::WindAcceleration, &Track::WindAccelerations },
-    { names::Force, &Track::Forces },
-    { names::AirVelocity, &Track::AirVelocities },
-    { names::SPHVelocity, &Track::SphVelocities },
-    { names::Residual, &Track::Residuals },
-  };
-  for (const auto& [name, member] : vectors)
-  {
-    std::vector<Vec3> all;
-    WAFT_RETURN_IF_FAILED(ReadOptional(points, name, all));
-    take(all, member);
-  }
-  std::vector<Vec3> slips;
-  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Slip, slips));
-  take(slips, &Track::Slips);
-  if (!slips.empty())
-  {
-    std::vector<Quat> orientations;
-    WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
-    take(orientations, &Track::Orientations);
-    std::vector<Vec3> spins;
-    WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins));
-    take(spins, &Track::AngularVelocities);
-  }
-  tracks = std::move(read);
-  return Result::Ok();
+  return ReadTracks(data, input, nullptr, tracks);
+}
+
+Result FlightsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, vtkPointData* left)
+{
+  left->Initialize();
+  return ReadTracks(data, "Tracks", left, tracks);
 }
 
 } // namespace waft

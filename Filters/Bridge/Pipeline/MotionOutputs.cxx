@@ -146,8 +146,7 @@ Result MotionOutputs::KeepPoses()
   this->ShownPoses = this->Made.Turned.Poses;
   this->KeepTurned();
   AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), names::Shift, this->Made.Laid);
-  AddAgreement(this->Made.Turned.Away, this->Kept<vtkPolyData>(PosesPort));
-  AddBodyFactors(this->Made.Turned.Factors, this->Kept<vtkPolyData>(PosesPort));
+  AddTurning(this->Made.Turned, this->Kept<vtkPolyData>(PosesPort));
   AddTouchDowns(this->Made.RowsAtLast(), this->Kept<vtkPolyData>(PosesPort));
   ReportToTable(this->Made.Turned.Report, this->Scene, this->Kept<vtkTable>(TurnedReportPort));
   return this->BuildMeshes();

@@ -12,9 +12,9 @@ namespace waft
 namespace
 {
 
-constexpr int AgreementStride = 10;      // frames
-constexpr double AgreementTime = 0.5;    // s
-constexpr double AgreementLanding = 2.0; // landing times before a rest, in which it settles
+constexpr std::size_t MostSampledWhole = 2048; // bodies
+constexpr double AgreementTime = 0.5;          // s
+constexpr double AgreementLanding = 2.0;       // landing times before a rest, in which it settles
 
 /// Whether nothing but the air turns it from a frame to another.
 bool FliesFreely(const AttitudePlan& plan, int from, int to)
@@ -32,15 +32,25 @@ bool FliesFreely(const AttitudePlan& plan, int from, int to)
 
 } // namespace
 
+AgreementSample AgreementSampleOf(std::size_t i, std::size_t bodies)
+{
+  const std::size_t fewer = (bodies + MostSampledWhole - 1) / MostSampledWhole;
+  AgreementSample sample;
+  sample.First = sample.Stride * static_cast<int>(fewer > 1 ? i % fewer : 0);
+  sample.Stride *= static_cast<int>(std::max<std::size_t>(fewer, 1));
+  return sample;
+}
+
 std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
-                               const FlightPath& path, const PoseTrack& poses)
+                               const FlightPath& path, const PoseTrack& poses,
+                               const AgreementSample& sample)
 {
   std::vector<double> away;
   const Track& track = *plan.Path;
   const int span =
     std::max(1, static_cast<int>(std::lround(AgreementTime * plan.Time.FramesPerSecond)));
   const int last = static_cast<int>(track.Slips.size()) - 1;
-  for (int first = 0; first + span <= last; first += AgreementStride)
+  for (int first = sample.First; first + span <= last; first += sample.Stride)
   {
     if (!FliesFreely(plan, first, first + span))
     {

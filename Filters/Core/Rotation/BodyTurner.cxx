@@ -289,11 +289,18 @@ BodyTurn BodyTurner::Turn(std::size_t i) const
               turn.Outcome = TurnObjectWithin(this->Limit, plan, body, path);
               if (HasFlown(this->Given.Tracks[i]) && this->Given.TurnsFrom.empty() && draw > 0.0)
               {
-                SetLimit(this->Limit, path);
-                turn.Away = TurnedAway(plan, body, path, turn.Outcome.Poses);
+                turn.Away = this->AwayFrom(i, plan, body, path, turn.Outcome.Poses);
               }
             });
   return turn;
+}
+
+std::vector<double> BodyTurner::AwayFrom(std::size_t i, const AttitudePlan& plan,
+                                         const FlightBody& body, FlightPath& path,
+                                         const PoseTrack& poses) const
+{
+  SetLimit(this->Limit, path);
+  return TurnedAway(plan, body, path, poses, AgreementSampleOf(i, this->Given.Tracks.size()));
 }
 
 std::vector<double> BodyTurner::AwayOf(std::size_t i, const PoseTrack& poses) const
@@ -305,8 +312,7 @@ std::vector<double> BodyTurner::AwayOf(std::size_t i, const PoseTrack& poses) co
             {
               if (HasFlown(this->Given.Tracks[i]) && draw > 0.0)
               {
-                SetLimit(this->Limit, path);
-                away = TurnedAway(plan, body, path, poses);
+                away = this->AwayFrom(i, plan, body, path, poses);
               }
             });
   return away;

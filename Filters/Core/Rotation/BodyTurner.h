@@ -43,6 +43,8 @@ public:
 private:
   template <class Act>
   void Set(std::size_t i, const Act& act) const;
+  std::vector<double> AwayFrom(std::size_t i, const AttitudePlan& plan, const FlightBody& body,
+                               FlightPath& path, const PoseTrack& poses) const;
 
   const RotationInput& Given;
   const RotationOptions& Chosen;

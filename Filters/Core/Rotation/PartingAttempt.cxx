@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace waft
@@ -82,46 +83,44 @@ void PartingAttempt::LookAround()
   const int last = std::min(this->Now.Last + gap, static_cast<int>(motion.NumberOfFrames()) - 1);
   const double shift =
     FarthestShift() * (motion.MeshOf(this->Now.A).Length() + motion.MeshOf(this->Now.B).Length());
-  const auto others = [&](std::size_t track)
-  {
-    std::vector<std::size_t> near;
-    const double reach = motion.MeshOf(track).Radius() + this->Scene.Widest + shift;
-    this->Scene.Boxes.AddNear(track, first, last, reach, near);
-    near.erase(std::remove_if(near.begin(), near.end(),
-                              [&](std::size_t o) { return o == this->Now.A || o == this->Now.B; }),
-               near.end());
-    return near;
-  };
-  const auto nearAt = [&](std::size_t track, const std::vector<std::size_t>& some, int frame)
-  {
-    std::vector<std::size_t> near;
-    std::copy_if(some.begin(), some.end(), std::back_inserter(near),
-                 [&](std::size_t o) { return this->AreNear(o, track, frame, shift); });
-    return near;
-  };
-  const std::vector<std::size_t> aboutA = others(this->Now.A);
-  const std::vector<std::size_t> aboutB = others(this->Now.B);
   for (int f = first; f <= last; ++f)
   {
     const int away = std::max({ this->Now.First - f, f - this->Now.Last, 0 });
-    Moment moment{ f, SmoothStep(1.0 - away / this->Scene.Ease), {}, {} };
-    const bool isFreeA = moment.Height * this->FreedomAt(this->Now.A, f) > 0.0;
-    const bool isFreeB = moment.Height * this->FreedomAt(this->Now.B, f) > 0.0;
-    if (isFreeA)
+    const Moment moment{ f, SmoothStep(1.0 - away / this->Scene.Ease) };
+    if (moment.Height * this->FreedomAt(this->Now.A, f) > 0.0 ||
+        moment.Height * this->FreedomAt(this->Now.B, f) > 0.0)
     {
-      moment.NearA = nearAt(this->Now.A, aboutA, f);
-    }
-    if (isFreeB)
-    {
-      moment.NearB = nearAt(this->Now.B, aboutB, f);
-    }
-    if (isFreeA || isFreeB)
-    {
-      this->Moments.push_back(std::move(moment));
+      this->Moments.push_back(moment);
     }
   }
   std::stable_sort(this->Moments.begin(), this->Moments.end(),
                    [](const Moment& a, const Moment& b) { return a.Height > b.Height; });
+  this->A.Track = this->Now.A;
+  this->B.Track = this->Now.B;
+  for (Changing* body : { &this->A, &this->B })
+  {
+    std::vector<std::size_t> others;
+    const double reach = motion.MeshOf(body->Track).Radius() + this->Scene.Widest + shift;
+    this->Scene.Boxes.AddNear(body->Track, first, last, reach, others);
+    for (std::size_t m = 0; m < this->Moments.size(); ++m)
+    {
+      const int frame = this->Moments[m].Frame;
+      if (!(this->Moments[m].Height * this->FreedomAt(body->Track, frame) > 0.0))
+      {
+        continue;
+      }
+      for (const std::size_t other : others)
+      {
+        if (other != this->Now.A && other != this->Now.B &&
+            this->AreNear(other, body->Track, frame, shift))
+        {
+          body->Near.push_back({ m, other });
+        }
+      }
+    }
+    body->Order.resize(body->Near.size());
+    std::iota(body->Order.begin(), body->Order.end(), std::size_t(0));
+  }
 }
 
 bool PartingAttempt::AreNear(std::size_t a, std::size_t b, int frame, double more) const
@@ -215,30 +214,35 @@ bool PartingAttempt::IsDeep(std::size_t a, const PosedMesh& one, std::size_t b,
   return this->Pair.IsDeeper(depth);
 }
 
-/// How many others a body of the meeting is deep in. The ladders change one body after the other:
-/// what is known of it as it is, and as it was changed last, is kept.
-int PartingAttempt::CountOthers(bool isA, const Vec3& turn, const Vec3& shift, std::size_t m)
+/// How many others a body of the meeting is deep in, up to `enough`. The ladders change one body
+/// after the other: what is known of it as it is, and as it was changed last, is kept. Whom one
+/// change brings it into another one mostly does, too: those are looked at first.
+int PartingAttempt::CountNeighbours(Changing& body, const Vec3& turn, const Vec3& shift, int enough)
 {
-  OthersMet& met = this->Met[isA ? 0 : 1][turn.isZero() && shift.isZero() ? 0 : 1];
-  if (met.Deep.empty() || met.Turn != turn || met.Shift != shift)
+  NeighboursMet& met = body.Met[turn.isZero() && shift.isZero() ? 0 : 1];
+  if (met.Depths.empty() || met.Turn != turn || met.Shift != shift)
   {
-    met = { turn, shift, std::vector<int>(this->Moments.size(), -1) };
+    met = { turn, shift, std::vector<Depth>(body.Near.size(), Depth::Unknown) };
   }
-  if (met.Deep[m] < 0)
+  int count = 0;
+  for (std::size_t k = 0; k < body.Order.size() && count < enough; ++k)
   {
-    const Moment& moment = this->Moments[m];
-    const std::size_t own = isA ? this->Now.A : this->Now.B;
-    const PosedMesh posed = this->Changed(own, turn, shift, moment);
-    const std::vector<std::size_t>& near = isA ? moment.NearA : moment.NearB;
-    met.Deep[m] = static_cast<int>(
-      std::count_if(near.begin(), near.end(),
-                    [&](std::size_t other)
-                    {
-                      const auto f = static_cast<std::size_t>(moment.Frame);
-                      return this->IsDeep(own, posed, other, this->Scene.Motion.At(other, f));
-                    }));
+    const std::size_t n = body.Order[k];
+    if (met.Depths[n] == Depth::Unknown)
+    {
+      const auto& [m, other] = body.Near[n];
+      const auto f = static_cast<std::size_t>(this->Moments[m].Frame);
+      const bool isDeep =
+        this->IsDeep(body.Track, body.Posed[m], other, this->Scene.Motion.At(other, f));
+      met.Depths[n] = isDeep ? Depth::Deep : Depth::Shallow;
+    }
+    if (met.Depths[n] == Depth::Deep)
+    {
+      ++count;
+      std::swap(body.Order[k], body.Order[k / 2]);
+    }
   }
-  return met.Deep[m];
+  return count;
 }
 
 /// How many pairs and frames are deep about the meeting after a change: the count stops at
@@ -249,21 +253,24 @@ int PartingAttempt::Count(const PartingChange& change, int enough)
   {
     return enough;
   }
-  int count = 0;
-  for (std::size_t m = 0; m < this->Moments.size(); ++m)
+  this->A.Posed.clear();
+  this->B.Posed.clear();
+  int count = 0; // of the two first: others may be many
+  for (const Moment& moment : this->Moments)
   {
-    const Moment& moment = this->Moments[m];
     const PosedMesh a = this->Changed(this->Now.A, change.TurnA, change.ShiftA, moment);
     const PosedMesh b = this->Changed(this->Now.B, change.TurnB, change.ShiftB, moment);
     count += this->IsDeep(this->Now.A, a, this->Now.B, b) ? 1 : 0;
-    count += this->CountOthers(true, change.TurnA, change.ShiftA, m);
-    count += this->CountOthers(false, change.TurnB, change.ShiftB, m);
     if (count >= enough || !this->IsKept(this->Now.A, a, moment) ||
         !this->IsKept(this->Now.B, b, moment))
     {
       return enough;
     }
+    this->A.Posed.push_back(a);
+    this->B.Posed.push_back(b);
   }
+  count += this->CountNeighbours(this->A, change.TurnA, change.ShiftA, enough - count);
+  count += this->CountNeighbours(this->B, change.TurnB, change.ShiftB, enough - count);
   return count;
 }
 

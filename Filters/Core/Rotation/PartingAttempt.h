@@ -61,14 +61,37 @@ private:
   struct Moment
   {
     int Frame;
-    double Height;                         // of the change, 0..1
-    std::vector<std::size_t> NearA, NearB; // others, of bodies that may be changed
+    double Height; // of the change, 0..1
   };
 
-  struct OthersMet
+  /// Another body that one of the meeting is near to while it may be changed.
+  struct Neighbour
+  {
+    std::size_t Moment, Track;
+  };
+
+  enum class Depth : unsigned char
+  {
+    Unknown,
+    Shallow,
+    Deep
+  };
+
+  /// Of a change of a body.
+  struct NeighboursMet
   {
     Vec3 Turn, Shift;
-    std::vector<int> Deep; // by moment; below 0: not known
+    std::vector<Depth> Depths; // by neighbour
+  };
+
+  /// One of the meeting.
+  struct Changing
+  {
+    std::size_t Track;
+    std::vector<Neighbour> Near;
+    std::vector<std::size_t> Order;   // of these: first those that were deep of late
+    std::array<NeighboursMet, 2> Met; // as it is, as changed last
+    std::vector<PosedMesh> Posed;     // by moment, as the change that is counted has it
   };
 
   double FreedomAt(std::size_t track, int frame) const;
@@ -79,14 +102,14 @@ private:
   bool IsKept(std::size_t track, const PosedMesh& posed, const Moment& moment) const;
   bool IsCalm(std::size_t track, const Vec3& turn) const;
   bool IsDeep(std::size_t a, const PosedMesh& one, std::size_t b, const PosedMesh& other);
-  int CountOthers(bool isA, const Vec3& turn, const Vec3& shift, std::size_t m);
+  int CountNeighbours(Changing& body, const Vec3& turn, const Vec3& shift, int enough);
   int Count(const PartingChange& change, int enough);
 
   const PartedScene& Scene;
   Meeting Now;
   std::vector<Moment> Moments; // those of its height first
   PartingChange Found;
-  std::array<std::array<OthersMet, 2>, 2> Met; // of a and of b: as it is, as changed last
+  Changing A, B;
   MeshPair Pair;
 };
 

@@ -177,6 +177,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   std::map<std::pair<int, int>, std::string> tooFast;
   TurnCount turns(turner.Most(), options.MaximumTurn > 0.0 ? 0.0 : SeldomSlowed);
   result.Constraints = input.Constraints;
+  result.TurningLimit = turner.Most();
   for (BodyTurn& turn : turned)
   {
     AttitudeOutcome& outcome = turn.Outcome;

@@ -92,6 +92,7 @@ struct RotationOutput
 {
   std::vector<PoseTrack> Poses;     // in the order of Tracks
   std::vector<BodyFactors> Factors; // of each object, in the order of Tracks
+  double TurningLimit = 0.0;        // rad, the most that a body may turn from a frame to the next
   /// m, by which centres are moved so that meshes touch surfaces and do not cut them: in the order
   /// of Tracks, one a frame, or empty for a track that stays; as bodies land and lie by what their
   /// poses ask for, upwards, besides by at most 1e-3 of the volume's width; those that pass each

@@ -25,11 +25,11 @@ NEAR_ROW = 8  # frames about a position row that are no free flight
 
 @dataclass
 class Run:
-    """A folder's motion: its flights, the arrays of its tracks {name: [object, frame, ...]}, the columns of its rows {name: [row]},
-    the touch-downs [(object, frame)], whether a row of position holds an object at a frame [object, frame], orientations (w, x, y,
-    z) [object, frame, 4] (NaN without poses), how far poses are from what turns bodies, median and 90th percentile in degrees (NaN
-    where they do not say), clearance radii [object] (NaN where they are not given), and what the optimiser says of its own motion
-    {name: number}."""
+    """A folder's motion: its flights, the arrays of its tracks {name: [object, frame, ...]}, the columns of its rows {name:
+    [row]}, the touch-downs [(object, frame)], whether a row of position holds an object at a frame [object, frame],
+    orientations (w, x, y, z) [object, frame, 4] (NaN without poses), how far poses are from what turns bodies, median and 90th
+    percentile in degrees (NaN where they do not say), the limit of their turning in degrees a frame (likewise), clearance radii
+    [object] (NaN where they are not given), and what the optimiser says of its own motion {name: number}."""
 
     folder: str
     flights: Flights
@@ -41,6 +41,7 @@ class Run:
     placed: np.ndarray
     orientations: np.ndarray
     agreement: np.ndarray
+    limit: float
     radii: np.ndarray
     inertia: bool
     figures: dict
@@ -69,13 +70,13 @@ def read_run(folder, tracks="optimized"):
     ids, positions, arrays = _tracks(path, data)
     bounds, rate = bounds_of(data, path), rate_of(data, path, *MEASURED_RATES)
     slip, radii = _bodies(below, ids)
-    orientations, agreement = _poses(below, ids, positions.shape[1])
+    orientations, agreement, limit = _poses(below, ids, positions.shape[1])
     rows = _rows(below)
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
     report = record_of(below, "report.json", REPORT) or {}
     inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip, arrays.get("Slip")), bounds, arrays, rows, ids, touches,
-               held(rows, ids, positions.shape[1]), orientations, agreement, radii, inertia, dynamics(data))
+               held(rows, ids, positions.shape[1]), orientations, agreement, limit, radii, inertia, dynamics(data))
 
 
 def _tracks(path, data):
@@ -102,8 +103,8 @@ def _bodies(folder, ids):
 
 
 def _poses(folder, ids, frames):
-    """Orientations and agreement of poses.vtp, where it is there and has these objects and frames."""
-    unknown = np.full((len(ids), frames, 4), np.nan), np.full(2, np.nan)
+    """Orientations, agreement and limit of turning of poses.vtp, where it is there and has these objects and frames."""
+    unknown = np.full((len(ids), frames, 4), np.nan), np.full(2, np.nan), np.nan
     path = folder.path / "poses.vtp"
     if folder.found("poses.vtp") is None:
         return unknown
@@ -113,8 +114,10 @@ def _poses(folder, ids, frames):
         return unknown
     place = {number: index for index, number in enumerate(own.tolist())}
     turns = array_of(data.GetPointData(), "Orientation", path, 4)[order[[place[number] for number in ids.tolist()]]]
-    told = data.GetFieldData().HasArray("Agreement")
-    return turns, field_of(data, "Agreement", path, 2, low=0.0, high=180.0) if told else unknown[1]
+    told = data.GetFieldData().HasArray
+    agreement = field_of(data, "Agreement", path, 2, low=0.0, high=180.0) if told("Agreement") else unknown[1]
+    limit = field_of(data, "TurningLimit", path, 1, low=0.0, high=180.0)[0] if told("TurningLimit") else unknown[2]
+    return turns, agreement, limit
 
 
 def _rows(folder):

@@ -442,12 +442,13 @@ def _turning(runs):
         turns = run.turns
         turns = turns[run.flights.flying[:, 1:] & run.flights.flying[:, :-1] & np.isfinite(turns)] * run.flights.rate / 30.0
         turned.append(turns)
-        peaks.append(turns > turns.max(initial=0.0) - AT_LIMIT)
+        limit = run.limit * run.flights.rate / 30.0 if np.isfinite(run.limit) else turns.max(initial=0.0)
+        peaks.append(turns > limit - AT_LIMIT)
     turns, peak = np.concatenate(turned), np.concatenate(peaks)
     shares = (float((turns > FAST_TURN).mean()), float(peak.mean())) if len(turns) else (UNKNOWN, UNKNOWN)
     return [Row("turning", f"turning: share of steps of more than {FAST_TURN:g} degrees at 30 frames a second", shares[0], (0.0, 0.05),
                 why="no poses.vtp"),
-            Row("turning_peak", f"turning: share of steps within {AT_LIMIT:g} degree of the largest", shares[1], (0.0, 0.05),
+            Row("turning_peak", f"turning: share of steps within {AT_LIMIT:g} degree of the limit", shares[1], (0.0, 0.05),
                 why="no poses.vtp")]
 
 
