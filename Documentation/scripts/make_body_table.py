@@ -31,6 +31,7 @@ COLUMNS = (
     ("turning: fast; at limit", ("turning", "turning_peak")),
     ("spacing; alignment", ("approach_spacing", "approach_alignment")),
     ("legibility; could be", ("legibility", "legibility_facing")),
+    ("facing; push", ("facing", "facing_pushes")),
     ("exact", ("exact",)),
 )
 HEAD = """# How bodies move
@@ -49,11 +50,12 @@ texts or pictures nothing to be read.
 | turning | steps of more than 25 degrees, %; within a degree of the limit, % | <= 5; <= 5 |
 | spacing | distance to the nearest before a common mark over that of straight paths; alignment of neighbours over that of free bodies | >= 0.7; <= 1.5 |
 | legibility | correlation of the silhouette with the drawing; were all to face the reader | half way where `facing` is asked |
+| facing | bodies within the cone that a mark asks for, %; largest angular acceleration before it over the 99th percentile elsewhere | >= 95; <= 1.5 |
 | exact | largest miss of a row that is met | <= 1e-9 |
 
 [Measure](../Measure.md) has the formulas. Seconds are of processor time.
 """
-SHARES = ("pairs", "cuts", "cuts_marks", "turning", "turning_peak")  # shown in percent
+SHARES = ("pairs", "cuts", "cuts_marks", "turning", "turning_peak", "facing")  # shown in percent
 
 
 def machine():

@@ -120,7 +120,7 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
     return folder
 
 
-def write_folder_rows(folder, positions, frame, what, until, radius, which, facing=(0.0, 0.0, 0.0)):
+def write_folder_rows(folder, positions, frame, what, until, radius, which, facing=(0.0, 0.0, 0.0), tolerance=0.0):
     """constraints.vtp with a row for each of some bodies, where they are at that frame: targets of the scene's first."""
     which = np.array(list(which))
     rows = sample_folder._vertices(positions[which, frame])
@@ -129,6 +129,7 @@ def write_folder_rows(folder, positions, frame, what, until, radius, which, faci
         sample_folder.add(columns, name, np.full(len(which), value), kind)
     sample_folder.add(columns, "Row", np.zeros(len(which)), np.int32)
     sample_folder.add(columns, "Facing", np.tile(facing, (len(which), 1)))
+    sample_folder.add(columns, "FacingTolerance", np.full(len(which), tolerance))
     sample_folder.add(columns, "ObjectId", which, np.int32)
     sample_folder.add(columns, "Value", np.pad(positions[which, frame], ((0, 0), (0, 1))))
     write_xml(rows, os.path.join(folder, "constraints.vtp"))
@@ -381,6 +382,34 @@ class DefinitionTest(unittest.TestCase):
         self.assertFalse(fast.met or peak.met)
         self.assertAlmostEqual(shares(degrees, limit=40.5)[1].value, fast.value)
         self.assertEqual(shares(degrees, limit=60.0)[1].value, 0.0, "all turn freely, many at one rate")
+
+    def test_how_bodies_come_to_face_is_measured(self):
+        positions, mark = waves(COUNT, 0.5, frames=FRAMES), 60
+        folder = write_folder(os.path.join(WORK, "facing"), positions)
+        self.assertTrue(math.isnan(measure(folder)[0]["facing"].value))
+        write_folder_rows(folder, positions, mark, 0, mark, 0.02, range(COUNT), facing=(0.0, 3.0, 0.0), tolerance=0.2)
+        time = np.arange(FRAMES) / RATE
+
+        def figures(late, missed=0.0):
+            """Bodies swing about their x axis, with a largest acceleration of 1, and stand upright at their mark, but for some; the
+            last third of a second turns them there and back."""
+            part = np.clip((time - time[mark]) * 3.0 + 1.0, 0.0, 1.0)
+            swing = np.sin(time - time[mark]) + late * (part * (1.0 - part)) ** 2
+            angle = -0.5 * math.pi + np.tile(swing, (COUNT, 1))
+            angle[::8] += missed
+            zero = np.zeros_like(angle)
+            write_poses(folder, np.stack([np.cos(angle / 2), np.sin(angle / 2), zero, zero], axis=2), 0.2, 0.1)
+            measured = measure(folder)[0]
+            return measured["facing"], measured["facing_pushes"]
+
+        facing, pushes = figures(late=0.05)
+        self.assertEqual(facing.value, 1.0)
+        self.assertAlmostEqual(pushes.value, 0.8, delta=0.15)
+        self.assertTrue(facing.met and pushes.met)
+        facing, pushes = figures(late=1.0, missed=0.3)
+        self.assertAlmostEqual(facing.value, 1.0 - math.ceil(COUNT / 8) / COUNT)
+        self.assertGreater(pushes.value, 3.0)
+        self.assertFalse(facing.met or pushes.met)
 
     def test_bodies_that_are_in_each_other_are_counted(self):
         """Two rows of sheets that stand still but for one, which passes through its neighbour at right angles."""

@@ -131,6 +131,8 @@ def _rows(folder):
     rows.update(Radius=array_of(columns, "Radius", path, low=0.0), Value=array_of(columns, "Value", path, 4))
     for name in times:
         rows[name] = array_of(columns, name, path, kind=int, low=-1) if columns.HasArray(name) else np.full(len(rows["Frame"]), -1)
+    if columns.HasArray("Facing") and columns.HasArray("FacingTolerance"):
+        rows.update(Facing=array_of(columns, "Facing", path, 3), FacingTolerance=array_of(columns, "FacingTolerance", path, low=0.0))
     if columns.HasArray("Status"):
         rows["Met"] = array_of(columns, "Status", path, kind=int) == MET
     return rows

@@ -14,6 +14,7 @@ from waft.measuring import _flights, _two_sample
 from waft.measuring._airfield import read_air
 from waft.measuring._approach import FIRST, LAST, LEAST_BODIES, approach
 from waft.measuring._drifters import Drifters, gliding, make_drifters
+from waft.measuring._facings import facings
 from waft.measuring._flights import rms
 from waft.measuring._gliding import APART, glides, near_pairs
 from waft.measuring._legibility import FILES as READABLE, legibility, read_drawings
@@ -157,7 +158,7 @@ def _measured(runs, given, tracks, drawings, air):
     style = _Style(airs, others, fewest, plain)
     rows = [*_residuals(runs, air), *_replay(runs, air), *style.rows(""), *_start(airs, others)]
     rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest)
-    rows += _gliding(runs) + _turning(runs) + _contacts(runs) + _cuts(runs) + _legible(runs, drawings)
+    rows += _gliding(runs) + _turning(runs) + _contacts(runs) + _cuts(runs) + _legible(runs, drawings) + _facings(runs)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -450,6 +451,17 @@ def _turning(runs):
                 why="no poses.vtp"),
             Row("turning_peak", f"turning: share of steps within {AT_LIMIT:g} degree of the limit", shares[1], (0.0, 0.05),
                 why="no poses.vtp")]
+
+
+def _facings(runs):
+    """Whether bodies face where marks ask them to, and come to it as they turn in flight."""
+    within, there, elsewhere = (np.concatenate(values) for values in zip(*map(facings, runs)))
+    usual = np.percentile(elsewhere, 99) if len(elsewhere) else 0.0
+    why = "no mark asks where its body faces, or no poses.vtp"
+    return [Row("facing", "facing: share of bodies within the cone of their mark", float(within.mean()) if len(within) else UNKNOWN,
+                (0.95, math.inf), why=why),
+            Row("facing_pushes", "facing: largest angular acceleration in the 0.4 s before, over the 99th percentile elsewhere",
+                float(there.max() / usual) if len(there) and usual > 0.0 else UNKNOWN, (-math.inf, 1.5), why=why)]
 
 
 def _cuts(runs):
