@@ -170,7 +170,7 @@ void Multigrid::Cycle(std::size_t index, const float* b, float* x, const Paralle
     static_cast<std::size_t>(level.Cells.N[0]) * level.Cells.N[1] * level.Cells.N[2];
   if (cells < FewestCellsForThreads && index > 0)
   {
-    // The coarser levels together are less work than the start of a thread.
+    // Threads hear later of a loop over a coarser level than it takes.
     const ParallelFor serial = SerialFor();
     this->CycleOnThreads(index, b, x, serial);
     return;

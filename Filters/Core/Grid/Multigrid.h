@@ -13,7 +13,7 @@ namespace waft
 {
 
 /// Cells of a grid below which its loops are too short for threads.
-constexpr std::size_t FewestCellsForThreads = 100000;
+constexpr std::size_t FewestCellsForThreads = 20000;
 
 /// The operator A of a grid's faces and coarser ones of it. The cycle is two sweeps of Jacobi down,
 /// damped as the Chebyshev polynomial of the upper part of the spectrum asks, aggregation of

@@ -160,7 +160,7 @@ Result SmokeSolver::Step(const ParallelFor& threads, Monitor& monitor)
   }
   SmokeState& before = s.Before;
   this->Save(before);
-  // A loop over a small grid is less work than the start of a thread.
+  // Threads hear later of a loop over a small grid than it takes.
   const bool isSmall = s.Options.NumberOfCells() < FewestCellsForThreads;
   const ParallelFor parallelFor = isSmall ? SerialFor() : threads;
   s.Statistics = SmokeStatistics();
