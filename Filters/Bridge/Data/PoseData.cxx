@@ -8,6 +8,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/TrackData.h"
+#include "Rotation/Agreement.h"
 #include "Rotation/RotationRefine.h"
 
 #include <vtkCellArray.h>
@@ -52,16 +53,9 @@ namespace
 {
 const double DegreesPerRadian = 180.0 / std::acos(-1.0);
 
-/// Median and 90th percentile in degrees.
-std::array<double, 2> AgreementOf(std::vector<double> away)
+std::array<double, 2> DegreesOf(std::array<double, 2> radians)
 {
-  std::sort(away.begin(), away.end());
-  const auto at = [&away](double part)
-  {
-    const auto k = static_cast<std::size_t>(part * static_cast<double>(away.size()));
-    return away.empty() ? std::nan("") : away[k] * DegreesPerRadian;
-  };
-  return { at(0.5), at(0.9) };
+  return { radians[0] * DegreesPerRadian, radians[1] * DegreesPerRadian };
 }
 
 void AddPairs(const std::vector<std::array<double, 2>>& pairs, vtkFieldData* data)
@@ -82,13 +76,13 @@ void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* dat
   std::vector<std::array<double, 2>> lines;
   for (const std::vector<double>& line : away)
   {
-    lines.push_back(AgreementOf(line));
+    lines.push_back(DegreesOf(AgreementOf(line)));
     all.insert(all.end(), line.begin(), line.end());
   }
   if (!all.empty())
   {
     AddPairs(lines, data->GetCellData());
-    AddPairs({ AgreementOf(all) }, data->GetFieldData());
+    AddPairs({ DegreesOf(AgreementOf(std::move(all))) }, data->GetFieldData());
   }
 }
 

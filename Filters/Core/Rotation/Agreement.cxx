@@ -74,4 +74,21 @@ std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
   return away;
 }
 
+std::array<double, 2> AgreementOf(std::vector<double> away)
+{
+  std::sort(away.begin(), away.end());
+  const auto at = [&away](double part)
+  {
+    if (away.empty())
+    {
+      return std::nan("");
+    }
+    const double rank = part * static_cast<double>(away.size() - 1);
+    const auto below = static_cast<std::size_t>(rank);
+    const double next = away[std::min(below + 1, away.size() - 1)];
+    return away[below] + (rank - static_cast<double>(below)) * (next - away[below]);
+  };
+  return { at(0.5), at(0.9) };
+}
+
 } // namespace waft

@@ -4,6 +4,7 @@
 
 #include "Rotation/Attitude.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -28,5 +29,8 @@ AgreementSample AgreementSampleOf(std::size_t i, std::size_t bodies);
 std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
                                const FlightPath& path, const PoseTrack& poses,
                                const AgreementSample& sample = AgreementSample());
+
+/// Median and 90th percentile of that, linear between ranks [rad]; NaN of none.
+std::array<double, 2> AgreementOf(std::vector<double> away);
 
 } // namespace waft

@@ -5,6 +5,7 @@
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/EachBody.h"
+#include "Rotation/Agreement.h"
 
 #include <algorithm>
 #include <array>
@@ -151,16 +152,10 @@ Result FindAway(const AirContext& run, const HalfSeries& air, const std::vector<
 
 // How far a body is from what is wanted of its agreement, in the median or in the 90th percentile:
 // at most 1 where it agrees.
-double Disagreement(std::vector<double> away)
+double Disagreement(const std::vector<double>& away)
 {
-  if (away.empty())
-  {
-    return 0.0;
-  }
-  std::sort(away.begin(), away.end());
-  const auto at = [&](double share)
-  { return away[static_cast<std::size_t>(share * static_cast<double>(away.size() - 1) + 0.5)]; };
-  return std::max(at(0.5) / AgreeingMedian, at(0.9) / AgreeingHigh);
+  const auto [median, ninetieth] = AgreementOf(away);
+  return away.empty() ? 0.0 : std::max(median / AgreeingMedian, ninetieth / AgreeingHigh);
 }
 
 // Control over the flow, of each body.
