@@ -187,6 +187,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     this->Warnings = this->Rotation.Warnings;
     waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
                           this->Kept<vtkPolyData>(PosesPort), this->Left);
+    this->Left->Initialize();
     waft::ShareEqualArrays(given, this->Kept<vtkPolyData>(PosesPort)->GetPointData());
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);

@@ -11,8 +11,10 @@
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -74,6 +76,66 @@ TEST(Bridge, TracksComeBackBitForBit)
     EXPECT_EQ(back[t].Forces, tracks[t].Forces);
     EXPECT_TRUE(back[t].AirVelocities.empty());
   }
+}
+
+TEST(Bridge, WhatTurningDoesNotNeedOfTracksStaysWhereItIs)
+{
+  std::vector<Track> tracks = TwoTracks();
+  for (Track& track : tracks)
+  {
+    track.AirVelocities = track.Forces;
+    track.SphVelocities = track.Positions;
+  }
+  vtkNew<vtkPolyData> given, again;
+  TracksToPolyData(tracks, SceneInfo(), given);
+  std::vector<Track> flights;
+  vtkNew<vtkPointData> left;
+  ASSERT_TRUE(FlightsFromPolyData(given, flights, left));
+  EXPECT_EQ(flights[1].AirVelocities, tracks[1].AirVelocities);
+  EXPECT_TRUE(flights[1].Forces.empty());
+  EXPECT_EQ(left->GetNumberOfArrays(), 6);
+  TracksToPolyData(flights, SceneInfo(), again, left);
+  vtkPointData* arrays = given->GetPointData();
+  ASSERT_EQ(again->GetPointData()->GetNumberOfArrays(), arrays->GetNumberOfArrays());
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    EXPECT_STREQ(again->GetPointData()->GetArrayName(i), arrays->GetArrayName(i));
+  }
+  EXPECT_EQ(again->GetPointData()->GetArray("Force"), arrays->GetArray("Force"));
+
+  // Of one precision less it is read, and what is no number is named.
+  vtkNew<vtkFloatArray> rough;
+  rough->DeepCopy(arrays->GetArray("Force"));
+  rough->SetName("Force");
+  arrays->AddArray(rough);
+  ASSERT_TRUE(FlightsFromPolyData(given, flights, left));
+  EXPECT_EQ(left->GetArray("Force"), nullptr);
+  EXPECT_LT((flights[1].Forces[2] - tracks[1].Forces[2]).norm(), 1e-6);
+  arrays->GetArray("SPHVelocity")->SetComponent(3, 1, std::nan(""));
+  const Result result = FlightsFromPolyData(given, flights, left);
+  EXPECT_EQ(result.Message(), "Tracks: array `SPHVelocity`: entry 3 is not a finite number");
+}
+
+TEST(Bridge, TracksWhosePointsAreInAnotherOrderAreReadWhole)
+{
+  const std::vector<Track> tracks = TwoTracks();
+  vtkNew<vtkPolyData> given;
+  TracksToPolyData(tracks, SceneInfo(), given);
+  vtkNew<vtkCellArray> lines;
+  for (const vtkIdType first : { 5, 0 })
+  {
+    lines->InsertNextCell(5);
+    for (vtkIdType k = 0; k < 5; ++k)
+    {
+      lines->InsertCellPoint(first + k);
+    }
+  }
+  given->SetLines(lines);
+  std::vector<Track> flights;
+  vtkNew<vtkPointData> left;
+  ASSERT_TRUE(FlightsFromPolyData(given, flights, left));
+  EXPECT_EQ(left->GetNumberOfArrays(), 0);
+  EXPECT_EQ(flights[0].Forces, tracks[1].Forces);
 }
 
 TEST(Bridge, NamesArrayAndEntryOfANumberThatIsNotFinite)

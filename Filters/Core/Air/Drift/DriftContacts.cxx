@@ -86,6 +86,7 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
                std::sort(byFrame[f].begin(), byFrame[f].end(),
                          [](const DriftContact& one, const DriftContact& other)
                          { return std::tie(one.A, one.B) < std::tie(other.A, other.B); });
+               byFrame[f].shrink_to_fit();
              }
            });
   std::size_t all = 0;
