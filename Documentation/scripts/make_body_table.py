@@ -56,6 +56,7 @@ texts or pictures nothing to be read.
 [Measure](../Measure.md) has the formulas. Seconds are of processor time.
 """
 SHARES = ("pairs", "cuts", "cuts_marks", "turning", "turning_peak", "facing")  # shown in percent
+UNMEASURED = {"value": None, "met": None}  # of a flight that was measured before the row was
 
 
 def machine():
@@ -112,7 +113,7 @@ def misses(name, entry):
     lacks = []
     for _, keys in COLUMNS:
         for key in keys:
-            row = entry["rows"][key]
+            row = entry["rows"].get(key, UNMEASURED)
             if row["met"] is False:
                 low, high = row["wanted"]
                 lacks.append(f"`{key}` {row['value']:.3g} (" + (f"at least {low:g}" if high is None else f"at most {high:g}") + ")")
@@ -127,7 +128,7 @@ def page(kept):
         text += f"\n## Quality `{quality}`\n\n| scene | bodies | met | " + " | ".join(head for head, _ in COLUMNS) + " | CPU s | flown |\n"
         text += "|---" * (len(COLUMNS) + 5) + "|\n"
         for name, entry in sorted(flights.items()):
-            cells = ["; ".join(figure(key, entry["rows"][key]) for key in keys) for _, keys in COLUMNS]
+            cells = ["; ".join(figure(key, entry["rows"].get(key, UNMEASURED)) for key in keys) for _, keys in COLUMNS]
             met = f"{entry['met']} of {entry['wishes']}"
             text += "| " + " | ".join([name, str(entry["objects"]), met if entry["met"] == entry["wishes"] else f"**{met}**", *cells,
                                        f"{entry['processorSeconds']:.0f}", entry["date"]]) + " |\n"
