@@ -5,7 +5,6 @@
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/EachBody.h"
-#include "Rotation/Agreement.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +27,7 @@ constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
 constexpr std::size_t MostTurnedAnew = 2048;
+constexpr std::size_t FewestForPercentiles = 8; // bodies
 
 struct Turning
 {
@@ -152,10 +152,26 @@ Result FindAway(const AirContext& run, const HalfSeries& air, const std::vector<
 
 // How far a body is from what is wanted of its agreement, in the median or in the 90th percentile:
 // at most 1 where it agrees.
-double Disagreement(const std::vector<double>& away)
+// few: the scene has so few bodies that each one's windows decide on its percentiles. Then the
+// ranks above count, else the nearest.
+double Disagreement(std::vector<double> away, bool few)
 {
-  const auto [median, ninetieth] = AgreementOf(away);
-  return away.empty() ? 0.0 : std::max(median / AgreeingMedian, ninetieth / AgreeingHigh);
+  if (away.empty())
+  {
+    return 0.0;
+  }
+  std::sort(away.begin(), away.end());
+  const auto at = [&](double share)
+  {
+    const double rank = share * static_cast<double>(away.size() - 1);
+    return away[static_cast<std::size_t>(few ? std::ceil(rank - 1e-9) : rank + 0.5)];
+  };
+  return std::max(at(0.5) / AgreeingMedian, at(0.9) / AgreeingHigh);
+}
+
+bool AreFew(const AirBodies& bodies)
+{
+  return bodies.Size() < FewestForPercentiles;
 }
 
 // Control over the flow, of each body.
@@ -302,7 +318,7 @@ Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& 
   std::vector<char> which;
   for (const std::vector<double>& own : away)
   {
-    which.push_back(Disagreement(own) > 1.0 ? 1 : 0);
+    which.push_back(Disagreement(own, AreFew(bodies)) > 1.0 ? 1 : 0);
   }
   return IsNobody(which) ? found : TurnStepwise(run, air, StepTime, which, bodies);
 }
@@ -314,7 +330,7 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodie
   std::vector<double> least; // disagreement
   for (const std::vector<double>& own : away)
   {
-    least.push_back(Disagreement(own));
+    least.push_back(Disagreement(own, AreFew(bodies)));
   }
   const std::vector<double> before = ControlShares(run, air, bodies);
   std::vector<char> which = Everybody(bodies);
@@ -347,7 +363,7 @@ Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodie
     const std::vector<double> shares = ControlShares(run, air, bodies);
     for (std::size_t o = 0; o < bodies.Size(); ++o)
     {
-      const double now = Disagreement(away[o]);
+      const double now = Disagreement(away[o], AreFew(bodies));
       const bool isCalm = shares[o] <= std::max(EnoughControl, before[o]);
       if (which[o] && isCalm && now < least[o] && result && !result.IsStopped())
       {
