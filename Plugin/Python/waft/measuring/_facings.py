@@ -2,6 +2,8 @@
 """How bodies come to face where marks ask them to."""
 import numpy as np
 
+from waft.measuring._gliding import normals_of
+
 FACING_TIME = 0.4  # s before its frame, in which a mark may turn a body
 
 
@@ -20,18 +22,12 @@ def facings(run):
     for row, index in marks:
         frame = int(rows["Frame"][row])
         wanted = rows["Facing"][row] / np.linalg.norm(rows["Facing"][row])
-        within.append(np.arccos(np.clip(_normal(run.orientations[index, frame]) @ wanted, -1.0, 1.0)) <= rows["FacingTolerance"][row] + 1e-6)
+        within.append(np.arccos(np.clip(normals_of(run.orientations[index, frame]) @ wanted, -1.0, 1.0)) <= rows["FacingTolerance"][row] + 1e-6)
         turned[index, max(frame - span, 0):frame + 1] = True
     spins = _spins(run.orientations, rate)
     pushes = np.linalg.norm(np.diff(spins, axis=1), axis=2) * rate  # at all frames but the first and the last one
     flying = run.flights.flying[:, :-2] & run.flights.flying[:, 1:-1] & run.flights.flying[:, 2:]
     return np.array(within), pushes[turned[:, 1:-1] & flying], pushes[~turned[:, 1:-1] & flying]
-
-
-def _normal(orientation):
-    """The body's z axis."""
-    w, x, y, z = orientation
-    return np.array([2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)])
 
 
 def _spins(orientations, rate):

@@ -5,14 +5,19 @@ import numpy as np
 APART = 0.95  # of the sum of two clearance radii: what is nearer is in each other's balls
 
 
+def normals_of(orientations):
+    """The z axes [..., 3] of bodies of these orientations (w, x, y, z) [..., 4]."""
+    w, x, y, z = np.moveaxis(orientations, -1, 0)
+    return np.stack([2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)], axis=-1)
+
+
 def glides(run):
     """(sin(2 tilt), horizontal speed relative to the air downhill [m/s]) of a Run's bodies in free flight, frame by frame; none where
     they have no poses or no `Slip`."""
     if run.flights.glide is None:
         return np.zeros(0), np.zeros(0)
     flown = run.flights.free & np.isfinite(run.orientations[..., 0])
-    w, x, y, z = run.orientations[flown].T
-    normals = np.stack([2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)], axis=1)
+    normals = normals_of(run.orientations[flown])
     normals *= np.where(normals[:, 2:] < 0.0, -1.0, 1.0)
     slope = np.linalg.norm(normals[:, :2], axis=1)  # the sine of the tilt; a plate falls off to where its upper side leans
     downhill = normals[:, :2] / np.maximum(slope, 1e-12)[:, None]
