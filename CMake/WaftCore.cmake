@@ -41,6 +41,20 @@ set(WAFT_SLOW_SUITES AirAssimilation AssimilationContacts AssimilationEdits Assi
   *ChainFaces ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes MotionDatabaseSource MovingObstacles PlanCache
   Planner PlannerBadInput PropertyValues RunChain RunSpacetime SceneSchema SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
 
+# waft_collect_tests(<folder>): the target WaftTests, which builds all programs of a folder and of those below it.
+function(waft_collect_tests folder)
+  set(targets "")
+  set(folders "${CMAKE_CURRENT_SOURCE_DIR}/${folder}")
+  while(folders)
+    list(POP_FRONT folders next)
+    get_directory_property(own DIRECTORY "${next}" BUILDSYSTEM_TARGETS)
+    get_directory_property(below DIRECTORY "${next}" SUBDIRECTORIES)
+    list(APPEND targets ${own})
+    list(APPEND folders ${below})
+  endwhile()
+  add_custom_target(WaftTests DEPENDS ${targets})
+endfunction()
+
 # waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow.
 function(waft_discover_tests target prefix)
   list(TRANSFORM WAFT_SLOW_SUITES APPEND ".*" OUTPUT_VARIABLE slow)
@@ -71,7 +85,7 @@ function(waft_core_test name)
 endfunction()
 
 # waft_core_benchmark(<Name> <source>... DEPENDS <Core libraries>): a program WaftBenchmark<Name>
-# that prints figures; it is built with the rest and never run as a test.
+# that prints figures; it is built with the tests and never run as one.
 function(waft_core_benchmark name)
   cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE" ${ARGN})
   set(target WaftBenchmark${name})
