@@ -16,12 +16,12 @@ namespace
 
 void Read(const std::string& path)
 {
-  Timeline line;
-  line.NumberOfFrames = 31;
+  SceneInfo scene;
+  scene.Time.NumberOfFrames = 31;
   WindFile file;
   file.Path = path;
   FieldSeries wind;
-  if (ReadWindFile(file, line, wind))
+  if (ReadWindFile(file, scene, wind))
   {
     (void)wind.Sample(Vec3(0.1, -0.2, 1.3), 0.4);
     (void)wind.Sample(Vec3(1e6, -1e6, 1e6), 1e6);

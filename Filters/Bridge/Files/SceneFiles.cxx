@@ -211,9 +211,10 @@ Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font
            : result;
 }
 
-Result VtkSceneAssets::LoadWind(const WindFile& file, const Timeline& line, FieldSeries& wind) const
+Result VtkSceneAssets::LoadWind(const WindFile& file, const SceneInfo& scene,
+                                FieldSeries& wind) const
 {
-  return ReadWindFile(file, line, wind);
+  return ReadWindFile(file, scene, wind);
 }
 
 } // namespace waft

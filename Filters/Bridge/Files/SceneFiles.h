@@ -20,7 +20,7 @@ public:
   Result LoadPicture(const std::string& path, Picture& picture) const override;
   Result DrawText(const std::string& text, const std::string& font,
                   Picture& picture) const override;
-  Result LoadWind(const WindFile& file, const Timeline& line, FieldSeries& wind) const override;
+  Result LoadWind(const WindFile& file, const SceneInfo& scene, FieldSeries& wind) const override;
 };
 
 /// A picture whose pixels are where the file stores them, as texture coordinates have it;

@@ -86,31 +86,6 @@ Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::stri
                                               NumberText(twice->first, 10) + " s");
 }
 
-// The one step of a field on another lattice, zero outside its own box.
-FieldSeries OnLatticeOf(const FieldSeries& lattice, const FieldSeries& step)
-{
-  FieldSeries moved = lattice;
-  moved.Times = step.Times;
-  moved.Values.assign(1, {});
-  const Box box{ step.Origin, step.Origin + Vec3(step.Dimensions[0] - 1, step.Dimensions[1] - 1,
-                                                 step.Dimensions[2] - 1)
-                                              .cwiseProduct(step.Spacing) };
-  for (int k = 0; k < lattice.Dimensions[2]; ++k)
-  {
-    for (int j = 0; j < lattice.Dimensions[1]; ++j)
-    {
-      for (int i = 0; i < lattice.Dimensions[0]; ++i)
-      {
-        const Vec3 x = lattice.Origin + Vec3(i, j, k).cwiseProduct(lattice.Spacing);
-        const bool isInside = box.InnerDistance(x) > -1e-9;
-        const Vec3 v = isInside ? step.Sample(x, step.Times[0]) : Vec3(Vec3::Zero());
-        moved.Values[0].push_back({ float(v.x()), float(v.y()), float(v.z()) });
-      }
-    }
-  }
-  return moved;
-}
-
 // The series that begins with a file: those of lower numbers may be of another year.
 std::vector<std::pair<int, std::string>> SeriesFrom(const std::string& path)
 {
@@ -123,45 +98,20 @@ std::vector<std::pair<int, std::string>> SeriesFrom(const std::string& path)
   return files;
 }
 
-Result ReadVdbSeries(const WindFile& whole, const Timeline& line, FieldSeries& wind)
+// The volume in the axes of a file.
+Box InAxesOf(const WindFile& file, const Box& volume)
 {
-  FieldSeries series;
-  for (const auto& [frame, file] : SeriesFrom(whole.Path))
-  {
-    FieldSeries step;
-    Result result = ReadVectorVolume(file, whole.Array, line.Time(frame), step);
-    if (!result)
-    {
-      return Result::Error(file + ": " + result.Message());
-    }
-    if (series.IsEmpty())
-    {
-      series = std::move(step);
-      continue;
-    }
-    if (step.Times[0] == series.Times.back())
-    {
-      return Result::Error(file + ": expected one file a frame, found two");
-    }
-    if (step.Meaning != series.Meaning)
-    {
-      return Result::Error(file + ": expected the grid of the first file of the series");
-    }
-    // The box of active voxels may differ from file to file: each is sampled on the first one's.
-    if (step.Dimensions != series.Dimensions || step.Origin != series.Origin ||
-        step.Spacing != series.Spacing)
-    {
-      step = OnLatticeOf(series, step);
-    }
-    series.Times.push_back(step.Times[0]);
-    series.Values.push_back(std::move(step.Values[0]));
-  }
-  if (series.IsEmpty())
-  {
-    return Result::Error("expected a .vdb file that can be read, found none");
-  }
-  wind = std::move(series);
-  return Result::Ok();
+  return file.IsYUp ? Box{ { volume.Min.x(), volume.Min.z(), -volume.Max.y() },
+                           { volume.Max.x(), volume.Max.z(), -volume.Min.y() } }
+                    : volume;
+}
+
+Result ReadVolumes(const WindFile& file, const SceneInfo& scene, FieldSeries& wind)
+{
+  const std::vector<std::pair<int, std::string>> files = SeriesFrom(file.Path);
+  return files.empty()
+           ? Result::Error("expected a .vdb file that can be read, found none")
+           : ReadVectorVolumes(files, file.Array, scene.Time, InAxesOf(file, scene.Bounds), wind);
 }
 
 Result ReadImages(const WindFile& file, const std::string& extension, FieldSeries& wind)
@@ -213,7 +163,7 @@ void TurnYUp(FieldSeries& wind)
 
 } // namespace
 
-Result ReadWindFile(const WindFile& file, const Timeline& line, FieldSeries& wind)
+Result ReadWindFile(const WindFile& file, const SceneInfo& scene, FieldSeries& wind)
 {
   const std::string extension = Extension(file.Path);
   if (extension != ".vdb" && extension != ".vti" && extension != ".pvd")
@@ -221,13 +171,14 @@ Result ReadWindFile(const WindFile& file, const Timeline& line, FieldSeries& win
     return Result::Error("expected a .vti, .pvd or .vdb file, found \"" + extension + "\"");
   }
   FieldSeries read;
-  WAFT_RETURN_IF_FAILED(extension == ".vdb" ? ReadVdbSeries(file, line, read)
+  WAFT_RETURN_IF_FAILED(extension == ".vdb" ? ReadVolumes(file, scene, read)
                                             : ReadImages(file, extension, read));
   if (file.IsYUp)
   {
     TurnYUp(read);
   }
-  const double shift = file.FirstFrame ? line.Time(*file.FirstFrame) - read.Times.front() : 0.0;
+  const double shift =
+    file.FirstFrame ? scene.Time.Time(*file.FirstFrame) - read.Times.front() : 0.0;
   for (double& time : read.Times)
   {
     time += shift;

@@ -10,9 +10,9 @@ namespace waft
 {
 
 /// A wind from a .vti (one time, which then holds throughout), a .pvd (a series of .vti, in the
-/// order of their times) or a .vdb, of the array that ChooseWind takes. A .vdb whose name ends in
-/// digits is the first of a series: of all files in its folder that differ in these digits alone
-/// and have no lower number; the digits are the frame.
-Result ReadWindFile(const WindFile& file, const Timeline& line, FieldSeries& wind);
+/// order of their times) or a .vdb, of the array that ChooseWind takes. A .vdb is the first of its
+/// series (SeriesFiles): of those that have no lower number. What a .vdb has outside of its voxels
+/// goes as far as the scene's volume.
+Result ReadWindFile(const WindFile& file, const SceneInfo& scene, FieldSeries& wind);
 
 } // namespace waft

@@ -151,9 +151,9 @@ Result FieldSeries::Validate(const std::string& name) const
       {
         if (!range.Holds(v))
         {
-          return Result::Error(name + ": not a finite number at step " + std::to_string(k) +
-                               ", point " + std::to_string(i) +
-                               (std::isfinite(v) ? " that is " + range.Text() : ""));
+          return Result::Error(name + ": step " + std::to_string(k) + ", point " +
+                               std::to_string(i) + ": expected " + range.Text() + ", found " +
+                               NumberText(v, 7));
         }
       }
     }

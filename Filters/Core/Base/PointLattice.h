@@ -24,6 +24,14 @@ struct PointLattice
     return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
            this->Dimensions[2];
   }
+  Vec3 PointAt(std::size_t index) const
+  {
+    const auto nx = static_cast<std::size_t>(this->Dimensions[0]);
+    const auto ny = static_cast<std::size_t>(this->Dimensions[1]);
+    const Vec3 cell(static_cast<double>(index % nx), static_cast<double>(index / nx % ny),
+                    static_cast<double>(index / nx / ny));
+    return this->Origin + cell.cwiseProduct(this->Spacing);
+  }
 };
 
 /// Fails unless it has 1 to 2^30 points and a spacing and an origin within the limits of lengths

@@ -48,7 +48,7 @@ Result BuiltinAssets::DrawText(const std::string& text, const std::string&, Pict
   return NoReader("text \"" + text + "\"");
 }
 
-Result BuiltinAssets::LoadWind(const WindFile& file, const Timeline&, FieldSeries&) const
+Result BuiltinAssets::LoadWind(const WindFile& file, const SceneInfo&, FieldSeries&) const
 {
   return NoReader(file.Path);
 }

@@ -53,7 +53,8 @@ public:
   virtual Result DrawText(const std::string& text, const std::string& font,
                           Picture& picture) const = 0;
   /// The fields of a wind's file, at their times.
-  virtual Result LoadWind(const WindFile& file, const Timeline& line, FieldSeries& wind) const = 0;
+  virtual Result LoadWind(const WindFile& file, const SceneInfo& scene,
+                          FieldSeries& wind) const = 0;
 };
 
 } // namespace waft

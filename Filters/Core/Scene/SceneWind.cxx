@@ -40,7 +40,7 @@ Result SceneWind::Build(const Scene& scene, const SceneAssets& assets)
   for (const WindFile& file : scene.WindFiles)
   {
     FieldSeries wind;
-    const Result result = assets.LoadWind(file, scene.Info.Time, wind);
+    const Result result = assets.LoadWind(file, scene.Info, wind);
     if (!result)
     {
       return Result::Error(file.Location + ": " + result.Message());
@@ -111,11 +111,7 @@ FieldSeries SceneWind::At(double time) const
   now.Values.resize(1);
   for (std::size_t i = 0; i < now.NumberOfPoints(); ++i)
   {
-    const auto nx = static_cast<std::size_t>(now.Dimensions[0]);
-    const auto ny = static_cast<std::size_t>(now.Dimensions[1]);
-    const Vec3 cell(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
-                    static_cast<double>(i / nx / ny));
-    const Vec3 x = now.Origin + cell.cwiseProduct(now.Spacing);
+    const Vec3 x = now.PointAt(i);
     Vec3 value = Vec3::Zero();
     for (const AnalyticWind& wind : this->Analytic)
     {

@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A vector field from an OpenVDB file: winds that other programs simulated.
+// A vector field from OpenVDB files: winds that other programs simulated.
 #pragma once
 
 #include "Base/FieldSeries.h"
+#include "Base/Types.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace waft
 {
 
-/// Reads the wind of a .vdb file as one step of a series at a time [s]: the voxels' centres inside
-/// the box of active voxels, in metres as the transform says. array: the grid's name, empty: as
-/// ChooseWind takes it; three grids of numbers do as well. The transform may scale and shift, not
-/// turn. Fails on a file that cannot be read, without such a grid, without active voxels, or with
-/// more than 256^3 voxels in the box.
-Result ReadVectorVolume(const std::string& path, const std::string& array, double time,
-                        FieldSeries& step);
+/// Reads the wind of a series of .vdb files (SeriesFiles) with their frames, at the times of a time
+/// line: the voxels' centres inside the box of the active voxels of all files, in metres as the
+/// transform says. array: the grid's name, empty: as ChooseWind takes it of the first file that has
+/// one; three grids of numbers do as well. The wind is zero in a file that has no wind, and outside
+/// of its active voxels its background: where the volume goes on beyond the box, so does the
+/// lattice, all over the volume where the background is not zero, else by a voxel. What is on other
+/// voxels in later files is sampled. Transforms may scale and shift, not turn.
+/// Fails, naming file and grid, on a file that cannot be read, on a file that has another wind than
+/// the first, on a series without a wind or without active voxels, or with more than 256^3 voxels
+/// in the box.
+Result ReadVectorVolumes(const std::vector<std::pair<int, std::string>>& files,
+                         const std::string& array, const Timeline& line, const Box& volume,
+                         FieldSeries& wind);
 
 } // namespace waft

@@ -276,11 +276,28 @@ void VoxelBox::Add(const VoxelBox& other)
   }
 }
 
-bool HasLatticeOf(const VolumeGrid& a, const VolumeGrid& b)
+VoxelBox VoxelBox::Moved(const std::array<int, 3>& shift) const
 {
-  const double least = a.Spacing.minCoeff();
-  return a.IsUpright && b.IsUpright && (a.Spacing - b.Spacing).norm() < 1e-6 * least &&
-         (a.Zero - b.Zero).norm() < 1e-3 * least;
+  VoxelBox moved = *this;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    moved.First[axis] += shift[axis];
+    moved.Last[axis] += shift[axis];
+  }
+  return moved;
+}
+
+std::optional<std::array<int, 3>> ShiftOnto(const VolumeGrid& pattern, const VolumeGrid& grid)
+{
+  const Vec3 apart = (grid.Zero - pattern.Zero).cwiseQuotient(pattern.Spacing);
+  const Vec3 whole = apart.array().round();
+  if (!pattern.IsUpright || !grid.IsUpright || whole.cwiseAbs().maxCoeff() > 1e6 ||
+      (pattern.Spacing - grid.Spacing).norm() >= 1e-6 * pattern.Spacing.minCoeff() ||
+      (apart - whole).norm() >= 1e-3)
+  {
+    return std::nullopt;
+  }
+  return std::array<int, 3>{ int(whole[0]), int(whole[1]), int(whole[2]) };
 }
 
 Result ListVolume(const std::string& path, VolumeContents& contents)

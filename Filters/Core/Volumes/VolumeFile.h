@@ -8,6 +8,7 @@
 #include "Base/Types.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct VoxelBox
   double NumberOfVoxels() const;
   /// Grows to hold the other one, too.
   void Add(const VoxelBox& other);
+  VoxelBox Moved(const std::array<int, 3>& shift) const;
 };
 
 /// A grid of a file, without its values.
@@ -52,8 +54,9 @@ struct VolumeGrid
   VoxelBox Active;             // of its active voxels
 };
 
-/// Whether voxels of the same indices are at the same places, and along the axes of the world.
-bool HasLatticeOf(const VolumeGrid& a, const VolumeGrid& b);
+/// By how many voxels indices of the pattern are above those of the grid at the same place; none:
+/// their voxels are not the same, or not along the axes of the world.
+std::optional<std::array<int, 3>> ShiftOnto(const VolumeGrid& pattern, const VolumeGrid& grid);
 
 struct VolumeContents
 {
@@ -69,9 +72,9 @@ Result ListVolume(const std::string& path, VolumeContents& contents);
 /// Largest number of voxels that are read as a lattice.
 constexpr double MostVoxels = 512.0 * 512.0 * 512.0;
 
-/// The values of a grid in a box, inactive voxels included. Of a staggered vector grid the means of
-/// opposite faces. Grids of float, double, int32, bool, vec3s and vec3d are read. Fails on a box of
-/// more than MostVoxels.
+/// The values of a grid in a box, of inactive voxels its background. Of a staggered vector grid the
+/// means of opposite faces. Grids of float, double, int32, bool, vec3s and vec3d are read. Fails on
+/// a box of more than MostVoxels.
 Result ReadVolumeGrid(const std::string& path, const std::string& name, const VoxelBox& box,
                       VolumeField& field);
 

@@ -19,8 +19,8 @@ struct VolumeReadOptions
   {
     visit(TextField(
             "FileName",
-            "Any file of the series; files that differ in the digits at the end of their names "
-            "alone belong together, the digits are the frame. Setting it reads the series anew."),
+            "Any file of the series; files whose names differ in one number alone belong together, "
+            "the number is the frame. Setting it reads the series anew."),
           of.FileName...);
     visit(OptionField{ "FramesPerSecond", limits::UpTo(limits::FramesPerSecond.High), "1/s",
                        "Frame k is at time k / FramesPerSecond; 0: as the files say, else 30." },

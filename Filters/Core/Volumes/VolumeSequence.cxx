@@ -35,83 +35,92 @@ std::string FieldNameOf(const std::string& grid)
 
 } // namespace
 
-Result VolumeSequence::AddStep(int frame, const std::string& path, bool& hasLattice)
+// The grids of a file that are on the lattice and of the kind that they were of before.
+void VolumeSequence::AddStep(int frame, const std::string& path, const VolumeContents& contents)
 {
-  VolumeContents contents;
-  if (Result listed = ListVolume(path, contents); !listed)
-  {
-    return Result::Error(path + ": " + listed.Message());
-  }
-  if (!hasLattice)
-  {
-    for (const int components : { 3, 1 })
-    {
-      for (const VolumeGrid& grid : contents.Grids)
-      {
-        if (grid.Components == components && !grid.Active.IsEmpty() && !hasLattice)
-        {
-          this->Pattern = grid;
-          hasLattice = true;
-        }
-      }
-    }
-    if (hasLattice && !this->Pattern.IsUpright)
-    {
-      return Result::Error(path + ": grid `" + this->Pattern.Name +
-                           "`: expected a transform that scales and shifts only");
-    }
-  }
-  if (this->Steps.empty())
-  {
-    this->HasScene = contents.HasScene;
-    this->Info = contents.Scene;
-  }
   Step step;
   step.Frame = frame;
   step.Path = path;
   for (const VolumeGrid& grid : contents.Grids)
   {
     // An empty grid has nothing to look up, on whatever lattice.
-    if (grid.Components == 0 ||
-        (!grid.Active.IsEmpty() && hasLattice && !HasLatticeOf(grid, this->Pattern)))
+    const auto shift =
+      grid.Active.IsEmpty() ? std::array<int, 3>{} : ShiftOnto(this->Pattern, grid);
+    const auto kind =
+      std::lower_bound(this->Kinds.begin(), this->Kinds.end(), grid.Name,
+                       [](const Kind& one, const std::string& name) { return one.Grid < name; });
+    const bool isNew = kind == this->Kinds.end() || kind->Grid != grid.Name;
+    if (grid.Components == 0 || !shift || (!isNew && kind->Components != grid.Components))
     {
       this->Omitted.push_back(path + ": grid `" + grid.Name + "`");
       continue;
     }
-    const std::string wanted = FieldNameOf(grid.Name);
-    const bool isTaken = std::any_of(contents.Grids.begin(), contents.Grids.end(),
-                                     [&](const VolumeGrid& other)
-                                     { return other.Name == wanted && other.Name != grid.Name; }) ||
-                         std::any_of(step.Grids.begin(), step.Grids.end(),
-                                     [&](const auto& other) { return other.second == wanted; });
-    step.Grids.emplace_back(grid.Name, isTaken ? grid.Name : wanted);
-    this->Voxels.Add(grid.Active);
+    if (isNew)
+    {
+      this->Kinds.insert(kind, { grid.Name, grid.Name, grid.Components });
+    }
+    step.Shifts[grid.Name] = *shift;
+    this->Voxels.Add(grid.Active.IsEmpty() ? VoxelBox() : grid.Active.Moved(*shift));
   }
   this->Steps.push_back(std::move(step));
-  return Result::Ok();
+}
+
+// As other stages know the fields, where no other grid is called so.
+void VolumeSequence::NameFields()
+{
+  for (Kind& kind : this->Kinds)
+  {
+    const std::string wanted = FieldNameOf(kind.Grid);
+    const bool isTaken =
+      std::any_of(this->Kinds.begin(), this->Kinds.end(),
+                  [&](const Kind& other)
+                  { return &other != &kind && (other.Grid == wanted || other.Field == wanted); });
+    kind.Field = isTaken ? kind.Grid : wanted;
+  }
 }
 
 Result VolumeSequence::Open(const std::string& path, double framesPerSecond)
 {
   *this = VolumeSequence();
   VolumeSequence opened;
-  bool hasLattice = false;
-  for (const auto& [frame, file] : SeriesFiles(path))
-  {
-    if (!opened.Steps.empty() && opened.Steps.back().Frame == frame)
-    {
-      return Result::Error(file + ": expected one file a frame, found two");
-    }
-    WAFT_RETURN_IF_FAILED(opened.AddStep(frame, file, hasLattice));
-  }
-  if (opened.Steps.empty())
+  const std::vector<std::pair<int, std::string>> files = SeriesFiles(path);
+  std::vector<VolumeContents> contents;
+  WAFT_RETURN_IF_FAILED(ListSeries(files, contents));
+  if (files.empty())
   {
     return Result::Error(path + ": expected a .vdb file, found none");
   }
-  if (!hasLattice)
+  std::string owner; // of the pattern
+  for (const int components : { 3, 1 })
+  {
+    for (std::size_t f = 0; f < files.size() && owner.empty(); ++f)
+    {
+      for (const VolumeGrid& grid : contents[f].Grids)
+      {
+        if (grid.Components == components && !grid.Active.IsEmpty() && owner.empty())
+        {
+          opened.Pattern = grid;
+          owner = files[f].second;
+        }
+      }
+    }
+  }
+  if (owner.empty())
   {
     return Result::Error(path + ": expected a grid of numbers or vectors with active voxels");
   }
+  if (!opened.Pattern.IsUpright)
+  {
+    return Result::Error(owner + ": grid `" + opened.Pattern.Name +
+                         "`: expected a transform that scales and shifts only");
+  }
+  for (std::size_t f = 0; f < files.size(); ++f)
+  {
+    opened.AddStep(files[f].first, files[f].second, contents[f]);
+  }
+  opened.NameFields();
+  opened.HasScene = contents.front().HasScene;
+  opened.Info = contents.front().Scene;
   if (opened.Voxels.NumberOfVoxels() > MostVoxels)
   {
     return Result::Error(path + ": expected at most 512^3 voxels in the box of the active ones");
@@ -148,14 +157,27 @@ double VolumeSequence::Time(std::size_t step) const
 Result VolumeSequence::Read(std::size_t step, Volume& volume) const
 {
   Volume read = this->Outline;
-  for (const auto& [grid, name] : this->Steps[step].Grids)
+  const Step& of = this->Steps[step];
+  for (const Kind& kind : this->Kinds)
   {
     VolumeField field;
-    if (Result result = ReadVolumeGrid(this->Steps[step].Path, grid, this->Voxels, field); !result)
+    field.Components = kind.Components;
+    const auto shift = of.Shifts.find(kind.Grid);
+    if (shift == of.Shifts.end())
     {
-      return Result::Error(this->Steps[step].Path + ": " + result.Message());
+      field.Values.assign(read.NumberOfPoints() * static_cast<std::size_t>(kind.Components), 0.0f);
     }
-    field.Name = name;
+    else
+    {
+      const auto& [i, j, k] = shift->second;
+      const Result result =
+        ReadVolumeGrid(of.Path, kind.Grid, this->Voxels.Moved({ -i, -j, -k }), field);
+      if (!result)
+      {
+        return Result::Error(of.Path + ": " + result.Message());
+      }
+    }
+    field.Name = kind.Field;
     read.Fields.push_back(std::move(field));
   }
   volume = std::move(read);

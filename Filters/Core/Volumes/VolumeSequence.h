@@ -4,16 +4,18 @@
 
 #include "Volumes/VolumeFile.h"
 
+#include <array>
+#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace waft
 {
 
-/// The lattice is that of the first vector grid of the first file, else of its first grid, over the
-/// active voxels of all grids of all files. Grids named velocity, vel or v are called `Velocity`,
-/// wind `Wind`, density `Density`, whatever their case, unless the file has one of that name.
+/// The lattice is that of the first vector grid with active voxels, in the order of the files, else
+/// of the first such grid, over the active voxels of all grids of all files. Grids named velocity,
+/// vel or v are called `Velocity`, wind `Wind`, density `Density`, whatever their case, unless a
+/// file has one of that name.
 class VolumeSequence
 {
 public:
@@ -31,18 +33,26 @@ public:
   /// Dimensions, Origin and Spacing of every step, without fields.
   const Volume& Lattice() const { return this->Outline; }
 
-  /// Fields of a step in the order of their names; zero where a grid has no active voxels.
+  /// The same fields at each step, in the order of their grids' names: the grid's background where
+  /// it has no active voxels, zero where the step's file has no such grid.
   Result Read(std::size_t step, Volume& volume) const;
 
 private:
+  struct Kind // of a grid, as the first file that has it says
+  {
+    std::string Grid, Field; // in the files, as the field is called
+    int Components = 1;
+  };
   struct Step
   {
     int Frame = 0;
     std::string Path;
-    std::vector<std::pair<std::string, std::string>> Grids; // in the file, as the field is called
+    std::map<std::string, std::array<int, 3>> Shifts; // of the grids that it has, onto the lattice
   };
-  Result AddStep(int frame, const std::string& path, bool& hasLattice);
+  void AddStep(int frame, const std::string& path, const VolumeContents& contents);
+  void NameFields();
 
+  std::vector<Kind> Kinds; // in the order of the grids' names
   std::vector<Step> Steps;
   std::vector<std::string> Omitted;
   SceneInfo Info;

@@ -184,7 +184,8 @@ TEST(FieldSeries, NamesTheStepOfANumberThatIsNotFinite)
   field.Values = { { { 0.f, 0.f, 0.f }, { 0.f, std::numeric_limits<float>::quiet_NaN(), 0.f } } };
   const Result result = field.Validate("Wind");
   EXPECT_FALSE(result);
-  EXPECT_EQ(result.Message(), "Wind: not a finite number at step 0, point 1");
+  EXPECT_EQ(result.Message(),
+            "Wind: step 0, point 1: expected a number from -1000000 to 1000000, found nan");
 }
 
 TEST(AnalyticWind, FallsAsStated)

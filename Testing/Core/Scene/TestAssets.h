@@ -66,7 +66,7 @@ public:
     }
     return Result::Ok();
   }
-  Result LoadWind(const WindFile&, const Timeline&, FieldSeries&) const override
+  Result LoadWind(const WindFile&, const SceneInfo&, FieldSeries&) const override
   {
     return Result::Error("expected a scene without files of winds");
   }

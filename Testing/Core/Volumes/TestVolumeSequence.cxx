@@ -65,11 +65,46 @@ TEST(VolumeSequence, IsOneLatticeOverAllItsFiles)
   EXPECT_EQ(volume.Fields[1].Name, "Velocity");
   EXPECT_EQ(volume.Fields[1].Values[3 * (2 + 4 * 2) + 1], 2.0f);
   ASSERT_TRUE(sequence.Read(1, volume));
-  ASSERT_EQ(volume.Fields.size(), 1u);
+  ASSERT_EQ(volume.Fields.size(), 2u) << "the same at each step";
   EXPECT_EQ(volume.Fields[0].Values[4 * (2 + 3 * 2)], 2.0f);
+  EXPECT_EQ(volume.Fields[1].Name, "Velocity");
+  EXPECT_EQ(volume.Fields[1].Components, 3);
+  EXPECT_EQ(volume.Fields[1].Values, std::vector<float>(3 * 4 * 3 * 3, 0.0f));
 
   ASSERT_TRUE(sequence.Open(folder.File("puff_10.vdb"), 24.0));
   EXPECT_EQ(sequence.Time(1), 0.5);
+}
+
+TEST(VolumeSequence, BeginsBeforeThereIsAnything)
+{
+  const test::TemporaryFolder folder;
+  Write(folder.File("air_0.vdb"),
+        { Voxel<openvdb::FloatGrid>("density", { 1, 1, 1 }, 1.0f, 0.25) });
+  const auto empty = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0f, 1.0f, 0.0f));
+  empty->setName("velocity");
+  Write(folder.File("air_1.vdb"), { empty });
+  // The same voxels, counted from elsewhere.
+  const auto moved = Voxel<openvdb::Vec3SGrid>("velocity", { 0, 0, 0 }, { 1.0f, 0.0f, 0.0f });
+  moved->transform().postTranslate(openvdb::Vec3d(1.0, 0.0, 0.0));
+  Write(folder.File("air_2.vdb"),
+        { Voxel<openvdb::Vec3SGrid>("velocity", { 0, 0, 0 }, { 2.0f, 0.0f, 0.0f }) });
+  Write(folder.File("air_3.vdb"), { moved });
+  VolumeSequence sequence;
+  const Result result = sequence.Open(folder.File("air_0.vdb"), 0.0);
+  ASSERT_TRUE(result) << result.Message();
+  EXPECT_EQ(sequence.Lattice().Dimensions, (std::array<int, 3>{ 3, 1, 1 }));
+  const std::vector<std::vector<float>> wanted = { std::vector<float>(9, 0.0f),
+                                                   { 0, 1, 0, 0, 1, 0, 0, 1, 0 },
+                                                   { 2, 0, 0, 0, 0, 0, 0, 0, 0 },
+                                                   { 0, 0, 0, 0, 0, 0, 1, 0, 0 } };
+  for (std::size_t step = 0; step < wanted.size(); ++step)
+  {
+    Volume volume;
+    ASSERT_TRUE(sequence.Read(step, volume));
+    ASSERT_EQ(volume.Fields.size(), 1u);
+    EXPECT_EQ(volume.Fields[0].Values, wanted[step]) << step;
+  }
+  EXPECT_EQ(sequence.LeftOut().size(), 1u) << "density, of other voxels";
 }
 
 TEST(VolumeSequence, NamesThatAreTakenStayAsTheyAre)
