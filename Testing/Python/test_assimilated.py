@@ -17,9 +17,11 @@ import unittest
 from unittest import mock
 
 import numpy as np
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import waft
+from result_files import ImageData, read_series
 from waft.failures import BadInput
 from waft.measuring import measure
 from waft.reading import read_surface
@@ -77,6 +79,20 @@ class Assimilated(unittest.TestCase):
         self.assertEqual(rounds[-1]["Stage"], "finish")
         drift = next(row for row in rounds if row["Stage"] == "drift")
         self.assertLess(float(rounds[-1]["ControlRms"]), 0.7 * float(drift["ControlRms"]))
+
+    def test_each_series_has_the_same_arrays_at_all_times(self):
+        held = {}
+        for name in ("air", "air_wind"):
+            times, files = read_series(self.out / f"{name}.pvd")
+            held[name] = times
+            for file in files:
+                self.assertEqual(list(ImageData(file).point), [{"air": "Velocity", "air_wind": "Wind"}[name]], file)
+        self.assertEqual(held["air_wind"], held["air"][::10])
+        reader = simple.PVDReader(FileName=str(self.out / "air.pvd"))
+        seeds = simple.PointSource(Center=[0, 0, 1], Radius=0.3, NumberOfPoints=20)
+        tracer = simple.ParticleTracer(Input=reader, SeedSource=seeds, SelectInputVectors=["POINTS", "Velocity"])
+        tracer.UpdatePipeline(0.6)
+        self.assertEqual(servermanager.Fetch(tracer).GetNumberOfPoints(), 20)
 
     def test_a_body_lies_from_its_touch_down_on(self):
         rows = read_surface(str(self.out / "constraints.vtp")).GetPointData()

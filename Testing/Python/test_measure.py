@@ -105,18 +105,18 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
         frame, what, until, radius = (mark, 0, mark, 0.02) if rest is None else (rest, 4, frames - 1, 0.0)
         write_folder_rows(folder, positions, frame, what, until, radius, range(count))
     if air is not None:
-        os.makedirs(os.path.join(folder, "air"))
-        entries = []
-        for step, time in enumerate(air.times):
-            image = vtkImageData()
-            image.SetDimensions(air.velocity.shape[3:0:-1])
-            image.SetOrigin(air.origin)
-            image.SetSpacing(air.spacing)
-            sample_folder.add(image.GetPointData(), "Velocity", air.velocity[step].reshape(-1, 3), np.float32)
-            sample_folder.add(image.GetPointData(), "Wind", 0.0 * air.velocity[step].reshape(-1, 3), np.float32)
-            entries.append((float(time), f"air/air_{step:04d}.vti"))
-            write_xml(image, os.path.join(folder, entries[-1][1]))
-        write_pvd(os.path.join(folder, "air.pvd"), entries)
+        for name, array, factor in (("air", "Velocity", 1.0), ("air_wind", "Wind", 0.0)):
+            os.makedirs(os.path.join(folder, name))
+            entries = []
+            for step, time in enumerate(air.times):
+                image = vtkImageData()
+                image.SetDimensions(air.velocity.shape[3:0:-1])
+                image.SetOrigin(air.origin)
+                image.SetSpacing(air.spacing)
+                sample_folder.add(image.GetPointData(), array, factor * air.velocity[step].reshape(-1, 3), np.float32)
+                entries.append((float(time), f"{name}/{name}_{step:04d}.vti"))
+                write_xml(image, os.path.join(folder, entries[-1][1]))
+            write_pvd(os.path.join(folder, f"{name}.pvd"), entries)
     return folder
 
 

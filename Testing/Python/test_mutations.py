@@ -49,7 +49,8 @@ TAKES = ("takes", "scene.waft.json", "--seeds", "3", "--output", "T")
 READERS = {"poses.vtp": (PAGE, EXPORT, RENDER, ("measure", "R", "--tracks", "poses")), "objects.vtp": (EXPORT, RENDER, MEASURE),
            "planned.vtp": (PAGE, ("measure", "R", "--tracks", "planned")), "optimized.vtp": (MEASURE,),
            "constraints.vtp": (PAGE, EXPORT, RENDER, MEASURE), "obstacles/obstacles_0001.vtp": (PAGE, EXPORT, RENDER),
-           "obstacles/obstacles_0000.vtp": (PAGE, EXPORT, RENDER), "air/air_0003.vti": (MEASURE,)}
+           "obstacles/obstacles_0000.vtp": (PAGE, EXPORT, RENDER), "air/air_0003.vti": (MEASURE,),
+           "air_wind/air_wind_0000.vti": (MEASURE,)}
 READ = {"ObjectId", "ShapeId", "Bounds", "FramesPerSecond", "Orientation", "SettlingSpeed", "Kind", "Frame", "Radius", "Row", "Target",
         "Value", "Until", "TouchDown", "AirVelocity", "Velocity", "ObstacleId", "Color", "Opacity", "Texture", "TextureCoordinates"}
 MEASURED_NOW = [{"folder": "R", "tracks": "optimized", "objects": 3, "notes": ["n"], "rows": TAKEN["takes"][0]["measures"]}]
@@ -155,7 +156,8 @@ class Mutations(unittest.TestCase):
                 self.judge("animation.glb", f"first {cut} bytes", PAGE, EXPORT)
 
     def test_series(self):
-        for name, commands in (("obstacles.pvd", (PAGE, EXPORT, RENDER)), ("air.pvd", (MEASURE,)), ("shapes.vtm", (RENDER, EXPORT))):
+        for name, commands in (("obstacles.pvd", (PAGE, EXPORT, RENDER)), ("air.pvd", (MEASURE,)), ("air_wind.pvd", (MEASURE,)),
+                               ("shapes.vtm", (RENDER, EXPORT))):
             whole = pathlib.Path(f"R/{name}").read_text(encoding="utf-8")
             first = re.search(r"<DataSet[^>]*/>", whole)[0]
             for before, after in ((first, ""), (first, first * 2), (re.findall(r"<DataSet.*/>", whole, re.DOTALL)[0], ""), ('file="', 'fill="'),

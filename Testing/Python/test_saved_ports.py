@@ -73,6 +73,15 @@ class SavedPortsTest(unittest.TestCase):
     def check_quiet(self):
         self.assertNotRegex(self.said.GetOutput(), "(?i)error|warning")  # a test's own dots are said there, too
 
+    def test_each_port_has_the_same_arrays_at_all_times(self):
+        held = {}
+        for time in self.animation.TimestepValues:
+            self.animation.UpdatePipeline(time)
+            for port, name in enumerate(self.names):
+                data = servermanager.Fetch(self.animation, idx=port)
+                arrays = [entry for entry in contents(data) if entry.startswith("Get")]
+                self.assertEqual(held.setdefault(name, arrays), arrays, f"{name} at {time} s")
+
     def test_each_port_is_saved_whole(self):
         self.assertEqual(len(self.names), 20)
         for port, name in enumerate(self.names):

@@ -105,37 +105,40 @@ class AirField:
 def read_air(folder):
     """The AirField of a folder, None without air.pvd; raises BadInput that names the file and the lack."""
     folder = Folder(folder)
-    series = folder.found("air.pvd")
-    if series is None:
+    if folder.found("air.pvd") is None:
         return None
-    steps = folder.steps("air.pvd")
+    times, velocity, frame_of = _series(folder, "air.pvd", "Velocity")
+    wind = {}
+    if folder.found("air_wind.pvd") is not None:
+        when, force, _ = _series(folder, "air_wind.pvd", "Wind", frame_of)
+        wind = {times.index(time): values for time, values in zip(when, force) if time in times}
+    return AirField(times, velocity, wind, *frame_of[:2])
+
+
+def _series(folder, name, array, lattice=None):
+    """Times [s], values [step, k, j, i, 3] and lattice (origin, spacing, shape) of an array of a series of images."""
+    series = folder.found(name)
+    steps = folder.steps(name)
     check_steps(steps, series)
     if not steps:
         raise BadInput(f"{series}: expected a file for each frame, found none")
-    velocity = shape = frame_of = None
-    wind = {}
-    for index, (_, name) in enumerate(steps):
-        path = folder.file(name, "an image that is whole")
-        image, fields = _image(path)
-        if shape is None:
-            shape, frame_of = fields["Velocity"].shape, (image.GetOrigin(), image.GetSpacing())
-            velocity = np.empty((len(steps), *shape), np.float32)
-        if fields["Velocity"].shape != shape:
+    values = []
+    for _, file in steps:
+        path = folder.file(file, "an image that is whole")
+        found, field = _image(path, array)
+        lattice = lattice or found
+        if found[2] != lattice[2]:
             raise BadInput(f"{path}: expected the lattice of the first frame")
-        velocity[index] = fields["Velocity"]
-        if "Wind" in fields:
-            wind[index] = fields["Wind"]
-    return AirField([time for time, _ in steps], velocity, wind, *frame_of)
+        values.append(field.astype(np.float32))
+    return [time for time, _ in steps], values, lattice
 
 
-def _image(path):
+def _image(path, array):
     image = read_image(path)
     shape = image.GetDimensions()[::-1]
-    columns = image.GetPointData()
     if not np.prod(shape) > 0:
-        raise BadInput(f"{path}: expected an image with the point data Velocity, found no points")
-    fields = {name: array_of(columns, name, path, 3).reshape(*shape, 3) for name in ("Velocity", "Wind")
-              if name == "Velocity" or columns.HasArray(name)}
+        raise BadInput(f"{path}: expected an image with the point data {array}, found no points")
+    values = array_of(image.GetPointData(), array, path, 3).reshape(*shape, 3)
     if not (np.isfinite(image.GetOrigin()).all() and np.isfinite(image.GetSpacing()).all() and min(image.GetSpacing()) > 0.0):
         raise BadInput(f"{path}: expected a lattice with a finite origin and steps above 0")
-    return image, fields
+    return (image.GetOrigin(), image.GetSpacing(), shape), values

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a run: their names, and what is in each."""
+import functools
 import math
 import os
 import pathlib
@@ -23,13 +24,15 @@ FITTED = "fitted_vortices.vtp"
 POSES = "poses.csv"
 # Data that is written only when it is asked for, a file a frame: {name: (stage, port)}.
 SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
+# The air's series, with the array of each: a series has the same arrays at all of its times.
+AIR = {"air": "Velocity", "air_wind": "Wind"}
 
 # Of the air's images: between two of them it is as good as straight (1 % off), at any frame rate [s].
 AGREEING = (15.0, 45.0)  # degrees: median and 90th percentile of half a second of turning in the air
 AIR_INTERVAL = 0.1
 # Binary digits below the typical value that replay can tell from more: figures of `waft measure` change by some per cent.
 AIR_DIGITS = 4
-WIND_STEPS = 10  # steps of the air from one that has the wind correction's force to the next
+WIND_STEPS = 10  # steps of the air from one at which the wind correction's force is written to the next
 # What reads back bit for bit beside points: what else poses.csv says but velocities, which follow from points, and time.
 _EXACT = ("Time", "Orientation", "AngularVelocity")
 
@@ -54,7 +57,7 @@ def result_names(scene, request):
     if "spacetime" not in WITHOUT[request.way]:
         names += ["wind.pvd", "wind/"]
     if "assimilation" not in WITHOUT[request.way]:
-        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", *([STATE] if "state" in request.keep else [])]
+        names += ["assimilated.vtp", *(name + end for name in AIR for end in (".pvd", "/")), "rounds.csv", *([STATE] if "state" in request.keep else [])]
     if "fit" not in WITHOUT[request.way]:
         names.append(FITTED)
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
@@ -67,7 +70,7 @@ def _tables_of_poses(request):
 
 def is_beyond_results(name):
     """Whether a file of a run is one that the motion does without: a series of fields, of particles or of meshes, a state."""
-    return name.partition("/")[0].removesuffix(".pvd") in ("air", "wind", *SERIES, STATE)
+    return name.partition("/")[0].removesuffix(".pvd") in (*AIR, "wind", *SERIES, STATE)
 
 
 def _do_obstacles_move(scene):
@@ -182,27 +185,37 @@ def _write_air(run, place, checkpoint):
     else:
         write_tracks(run.output("assimilation", 0), place.path("assimilated.vtp"))
     if not run.has_air:  # all steps are the same calm one
-        _write_series(run, "assimilation", 1, "air", ".vti", place, half, float("inf"))
+        _write_air_series(run, place, half, float("inf"), 1)
     elif not run.hurries:
         if "air" in run.keep:
-            _write_series(run, "assimilation", 1, "air", ".vti", place, half)
-        else:
-            _write_series(run, "assimilation", 1, "air", ".vti", place, _Sketch(), AIR_INTERVAL)
+            _write_air_series(run, place, half, 0.0, 1)
+        else:  # so small that it is kept
+            _write_air_series(run, place, functools.partial(in_steps, digits=AIR_DIGITS), AIR_INTERVAL, WIND_STEPS)
         if "state" in run.keep and checkpoint.air_file.is_file():
             copy_file(checkpoint.air_file, place.path(STATE))
 
 
-class _Sketch:
-    """Makes the steps of the air so small that they are kept: by no more digits than replay sees, the wind's force at some alone."""
-
-    def __init__(self):
-        self._steps = 0
-
-    def __call__(self, data):
-        if self._steps % WIND_STEPS != 0:
-            data.GetPointData().RemoveArray("Wind")
-        self._steps += 1
-        in_steps(data, AIR_DIGITS)
+def _write_air_series(run, place, rounded, interval, wind_steps):
+    """The series of AIR, rounded, at times as `spaced` has them of the interval; of the wind's force each wind_steps-th of these."""
+    algorithm = run.assimilation.GetClientSideObject()
+    entries = {name: [] for name in AIR}
+    with XmlSeries(packs_well=True) as files:
+        for number, (step, time) in enumerate(spaced(_times(algorithm, 1), interval)):
+            data = _at(algorithm, 1, time)
+            rounded(data)
+            for name, array in AIR.items():
+                values = data.GetPointData().GetArray(array)
+                if values is None or (name != "air" and number % wind_steps != 0):
+                    continue
+                image = data.NewInstance()
+                image.ShallowCopy(data)
+                image.GetPointData().Initialize()
+                image.GetPointData().AddArray(values)
+                entries[name].append((time, f"{name}/{name}_{step:04d}.vti"))
+                files.write(image, place.path(entries[name][-1][1]))
+    for name, own in entries.items():
+        if own:
+            write_pvd(place.path(name + ".pvd"), own)
 
 
 def _write_shapes(pipeline, place):
@@ -222,21 +235,21 @@ def _write_shapes(pipeline, place):
         copy_file(source, place.path(name))
 
 
-def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None, interval=0.0):
-    """NAME.pvd with one file a step in the folder NAME, of data that were changed first; of steps closer than `interval` [s]
-    only some, the last always unless the interval is endless."""
-    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
-
+def _write_series(pipeline, stage, port, name, suffix, place):
+    """NAME.pvd with one file a step in the folder NAME."""
     algorithm = getattr(pipeline, stage).GetClientSideObject()
     entries = []
-    with XmlSeries(packs_well=name == "air") as files:
-        for step, time in spaced(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,), interval):
-            file = f"{name}/{name}_{step:04d}{suffix}"
-            data = _at(algorithm, port, time)
-            change(data)
-            files.write(data, place.path(file))
-            entries.append((time, file))
+    with XmlSeries() as files:
+        for step, time in enumerate(_times(algorithm, port)):
+            entries.append((time, f"{name}/{name}_{step:04d}{suffix}"))
+            files.write(_at(algorithm, port, time), place.path(entries[-1][1]))
     write_pvd(place.path(name + ".pvd"), entries)
+
+
+def _times(algorithm, port):
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
+
+    return algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,)
 
 
 def spaced(times, interval):
@@ -420,5 +433,5 @@ def left_out(run):
     made by --resume."""
     if not run.hurries:
         return []
-    names = ["air.pvd"] if run.has_air else []
+    names = [f"{name}.pvd" for name in AIR] if run.has_air else []
     return names + (["wind.pvd"] if run.spacetime is not None else []) + [f"{name}.pvd" for name in run.series]

@@ -47,8 +47,8 @@ class Request:
     on_progress: Annotated[Optional[Progress], "called with the share that is done (0 to 1) and a sentence, some five times a "
                                                "second; when it returns False the run stops with the best so far"] = None
     particles: Annotated[bool, "also particles.pvd: the optimiser's gas and objects, a file a frame"] = False
-    keep: Annotated[Sequence[str], "what to write in full: air (every frame of air.pvd), state (what edits go on from, otherwise "
-                                   "kept in the user's store)"] = ()
+    keep: Annotated[Sequence[str], "what to write in full: air (every frame of air.pvd and air_wind.pvd), state (what edits go on "
+                                   "from, otherwise kept in the user's store)"] = ()
     csv: Annotated[bool, "write poses.csv, the motion as a table, which poses.vtp and animation.glb hold as well"] = True
     _settings: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # {stage: {property: value}}, for tests
     _defaults: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # what the command took from the user's settings
