@@ -3,6 +3,8 @@
 
 #include "Base/SliceOptions.h"
 #include "Base/StateArchive.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/DatabaseConversion.h"
 #include "Bridge/Data/SceneData.h"
@@ -209,6 +211,8 @@ void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan
   waft::TracksToPolyData(plan.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
   waft::TreesToPolyData(plan.Trees, this->Scene, this->Kept<vtkPolyData>(TreesPort));
   waft::ReportToTable(plan.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
+  waft::AddDoubles(this->Kept<vtkTable>(ReportPort)->GetFieldData(), waft::names::TopSpeed,
+                   { plan.TopSpeed });
   waft::ConstraintsToPolyData(plan.Constraints, this->Scene, this->Kept<vtkPolyData>(AssignedPort));
   waft::VorticesToPolyData(plan.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
   waft::FlightsToTable(plan.Flights, this->Scene, this->Kept<vtkTable>(FlightsPort));

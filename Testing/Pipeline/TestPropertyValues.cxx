@@ -493,7 +493,7 @@ TEST(PropertyValues, OfTheAssimilation)
   using S = vtkAirAssimilationFilter;
   vtkNew<S> filter;
   const SceneData data(filter);
-  TryNaN<S>(filter, { NUMBER(S, WindSpacing, 0.4), NUMBER(S, WindTimeSpacing, 0.5),
+  TryNaN<S>(filter, { NUMBER(S, WindSpacing, 0.0), NUMBER(S, WindTimeSpacing, 0.5),
                       NUMBER(S, WindStiffness, 2), NUMBER(S, Smoothness, 0.005),
                       NUMBER(S, TouchDownSpread, 2), NUMBER(S, TimeLimit, 0) });
 }

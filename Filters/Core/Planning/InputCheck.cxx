@@ -94,6 +94,13 @@ bool IsFar(double one, double other)
 
 } // namespace
 
+double DatabaseScale(const MotionDatabase& database, const SceneInfo& scene)
+{
+  const double ratio = scene.Bounds.Size().maxCoeff() / database.Volume.Size().maxCoeff();
+  constexpr double far = PlannerNumbers::FarFactor;
+  return std::isfinite(ratio) && ratio > 0.0 ? ratio / std::clamp(ratio, 1.0 / far, far) : 1.0;
+}
+
 std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene)
 {
   std::vector<std::string> remarks;
@@ -108,14 +115,13 @@ std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const S
       database.FramesPerSecond, rate);
     remarks.emplace_back(text);
   }
-  const double width = scene.Bounds.Width();
-  if (IsFar(database.Volume.Width(), width))
+  const double scale = DatabaseScale(database, scene);
+  if (scale != 1.0)
   {
     std::snprintf(text, sizeof text,
                   "Database: traced in a volume %.6g m wide, the scene's is %.6g m: its segments "
-                  "keep their size and speed, so that marks may be too near or too far apart for "
-                  "them",
-                  database.Volume.Width(), width);
+                  "are taken %.3g times as large, and as fast",
+                  database.Volume.Width(), scene.Bounds.Width(), scale);
     remarks.emplace_back(text);
   }
   return remarks;

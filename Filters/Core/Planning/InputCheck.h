@@ -11,9 +11,13 @@ namespace waft
 /// unknown objects or frames, numbers that are not finite. The message names object and frame.
 Result CheckPlanInput(const PlanInput& input);
 
-/// What is odd about flying a scene on a database, a sentence each: a frame rate (segments are
-/// resampled) or a width of the volume (segments keep their size) that is more than twice, or less
-/// than half, of the database's.
+/// Factor of a database's lengths, and with them speeds, that brings the longest side of its volume
+/// as near to the scene's as to twice or half of it; 1 where it is that near as it is.
+double DatabaseScale(const MotionDatabase& database, const SceneInfo& scene);
+
+/// What is odd about flying a scene on a database, a sentence each: a frame rate more than twice,
+/// or less than half, of the database's (segments are resampled), a volume so far from its own that
+/// segments are scaled.
 std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene);
 
 /// Builds the obstacles that paths are planned around; each is checked for cutting itself, too.

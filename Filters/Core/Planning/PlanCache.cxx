@@ -3,6 +3,7 @@
 
 #include "Base/StateArchive.h"
 #include "Constraints/MotionProblem.h"
+#include "Planning/InputCheck.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -73,9 +74,11 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
   return { key.Content.begin(), key.Content.end() };
 }
 
-SegmentLibraryOptions LibraryOptionsOf(const PlanOptions& options, const SceneInfo& scene)
+SegmentLibraryOptions LibraryOptionsOf(const PlanOptions& options, const MotionDatabase& database,
+                                       const SceneInfo& scene)
 {
   SegmentLibraryOptions library;
+  library.Scale = DatabaseScale(database, scene);
   library.FramesPerSecond = scene.Time.FramesPerSecond;
   library.Freedom = options.RotationFreedom;
   library.MaximumTilt = options.MaxTilt;
@@ -87,8 +90,13 @@ Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions
                      const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
 {
   auto made = std::make_shared<PlanTools>();
-  WAFT_RETURN_IF_FAILED(made->Library.Build(database, options, parallelFor));
-  made->Gauge = StyleGauge(database);
+  const bool isScaled = options.Scale != 1.0;
+  made->Scaled = isScaled ? database.Scaled(options.Scale) : MotionDatabase();
+  // What falls is as fast in a small volume.
+  made->Scaled.TopSpeed = std::max(made->Scaled.TopSpeed, database.TopSpeed);
+  const MotionDatabase& used = isScaled ? made->Scaled : database;
+  WAFT_RETURN_IF_FAILED(made->Library.Build(used, options, parallelFor));
+  made->Gauge = StyleGauge(used);
   tools = std::move(made);
   return Result::Ok();
 }
@@ -98,7 +106,7 @@ Result PlanCache::Tools(const PlanInput& input, const SegmentLibraryOptions& opt
 {
   MemoryStream key;
   const auto address = reinterpret_cast<std::uintptr_t>(&input.Database);
-  key.Values(address, options.FramesPerSecond, options.Freedom, options.MaximumTilt,
+  key.Values(address, options.FramesPerSecond, options.Scale, options.Freedom, options.MaximumTilt,
              options.MaximumConnectionCost, options.MinimumNumberOfNeighbours,
              options.RoughConnectionFactor);
   const std::string wanted =

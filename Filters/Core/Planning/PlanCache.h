@@ -27,11 +27,13 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
 /// The database as plans use it.
 struct PlanTools
 {
+  MotionDatabase Scaled; // empty where the database serves as it is
   SegmentLibrary Library;
   StyleGauge Gauge;
 };
 
-SegmentLibraryOptions LibraryOptionsOf(const PlanOptions& options, const SceneInfo& scene);
+SegmentLibraryOptions LibraryOptionsOf(const PlanOptions& options, const MotionDatabase& database,
+                                       const SceneInfo& scene);
 /// Builds them; fails as SegmentLibrary does.
 Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions& options,
                      const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools);

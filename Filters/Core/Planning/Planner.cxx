@@ -95,7 +95,7 @@ std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentL
 Result TakeTools(const PlanInput& input, const PlanOptions& options, const ParallelFor& parallelFor,
                  PlanCache* memory, std::shared_ptr<const PlanTools>& tools)
 {
-  const SegmentLibraryOptions library = LibraryOptionsOf(options, input.Scene);
+  const SegmentLibraryOptions library = LibraryOptionsOf(options, input.Database, input.Scene);
   if (memory == nullptr)
   {
     return MakePlanTools(input.Database, library, parallelFor, tools);
@@ -154,6 +154,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
     return Result::Stopped();
   }
   const std::vector<unsigned char> isUsed = AssignAndJudge(input, tools->Library, output);
+  output.TopSpeed = tools->Library.Database().TopSpeed;
   // Who wants the rows judged and nothing flown stops here: the first flight may take long.
   bool goesOn = monitor.Tick(0.04, "Planning");
   ScenePlans plans = RecallPlans(input, options, output.Constraints, isUsed, memory);

@@ -159,6 +159,7 @@ struct PlanOutput
   std::vector<Vortex> Vortices;        // of the segments used, moved with them
   std::vector<FlightRow> Flights;      // in the order of the objects, then of time
   std::vector<ObjectRow> Objects;      // one an object that was planned, in their order
+  double TopSpeed = 0.0;               // of the database as it was used [m/s]
 };
 
 class PlanCache;

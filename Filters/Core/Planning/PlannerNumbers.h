@@ -19,7 +19,8 @@ struct PlannerNumbers
   static constexpr double CheckMargin = 2e-4;   // kept beyond it by what comes out
   static constexpr double SamePosition = 2e-9;  // apart, positions are taken as one
   static constexpr double GuideEnd = 0.02;      // radius of the mark at the end of a guide
-  static constexpr double FarFactor = 2.0;      // widths and frame rates farther apart are remarked
+  static constexpr double FarFactor = 2.0;      // frame rates farther apart are remarked; sides are
+                                                // brought as near to those of the database
   /// Cells of the maps along the width: the fine one finds passages hardly wider than the body.
   static constexpr std::array<int, 2> MapCells{ 32, 64 };
   ///@}
@@ -95,12 +96,13 @@ struct PlannerNumbers
 
   /// @name Joins of the trees. Their score is relative: the gap is in typical flights of the span.
   ///@{
-  static constexpr double AngleCost = 0.25;    // a rad that the join turns
-  static constexpr double RetimingCost = 0.5;  // a fraction of time by which pieces are retimed
-  static constexpr double MismatchCost = 0.1;  // a typical speed that an end's velocity is off
-  static constexpr double WorstScore = 1.5;    // of a join that is kept at all
-  static constexpr double WindowLength = 0.5;  // m; free ends of two pieces that fit may be so far
-  static constexpr std::size_t KeptJoins = 32; // best first
+  static constexpr double AngleCost = 0.25;   // a rad that the join turns
+  static constexpr double RetimingCost = 0.5; // a fraction of time by which pieces are retimed
+  static constexpr double MismatchCost = 0.1; // a typical speed that an end's velocity is off
+  static constexpr double WorstScore = 1.5;   // of a join that is kept at all
+  /// Of the width of the database's volume: free ends of two pieces that fit may be so far.
+  static constexpr double WindowLength = 0.125;
+  static constexpr std::size_t KeptJoins = 32;      // best first
   static constexpr std::size_t KeptApproaches = 12; // nearest first
   ///@}
 

@@ -217,7 +217,7 @@ Result ServePlans(ReadingStream& inputs, SharedItems& items, int atOnce,
   WAFT_RETURN_IF_FAILED(obstacles.Build(meshes));
   std::shared_ptr<const PlanTools> tools;
   WAFT_RETURN_IF_FAILED(
-    MakePlanTools(database, LibraryOptionsOf(options, input.Scene), parallelFor, tools));
+    MakePlanTools(database, LibraryOptionsOf(options, database, input.Scene), parallelFor, tools));
   FlightWatch watch;
   Flights flights(input, options, *tools, rows, isUsed, watch);
   ServeLoop(

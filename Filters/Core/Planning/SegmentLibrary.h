@@ -56,6 +56,7 @@ struct Neighbour
 struct SegmentLibraryOptions
 {
   double FramesPerSecond = 30.0; // of the scene
+  double Scale = 1.0;            // of the database's lengths
   RotationFreedom Freedom = RotationFreedom::YawAndTilt;
   double MaximumTilt = DefaultMaxTilt; // rad
   double MaximumConnectionCost = 0.06; // above it two representatives do not connect smoothly

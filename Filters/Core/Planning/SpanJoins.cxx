@@ -26,7 +26,7 @@ void SpanSearch::MeetOther(int tree, int index)
   const double worst = this->Joins.size() < PlannerNumbers::KeptJoins ? PlannerNumbers::WorstScore
                                                                       : this->Joins.back().Score;
   const double reach = worst * this->Library.TypicalStep() * this->Task.Frames;
-  const double far = reach + PlannerNumbers::WindowLength;
+  const double far = reach + PlannerNumbers::WindowLength * this->Library.Database().Volume.Width();
   for (std::size_t i = 0; i < others.size(); ++i)
   {
     const Branch& other = others[i];

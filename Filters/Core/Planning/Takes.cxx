@@ -2,6 +2,7 @@
 #include "Planning/Takes.h"
 
 #include "Constraints/RowsOfObjects.h"
+#include "Planning/InputCheck.h"
 #include "Trajectory/Style.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeO
     }
     if (take == 0)
     {
-      reference = StyleOf(input.Database);
+      reference = StyleOf(input.Database.Scaled(DatabaseScale(input.Database, input.Scene)));
     }
     TakeScore score = ScoreOf(plan, reference, input.Scene.Time);
     score.Take = take;

@@ -198,6 +198,40 @@ std::vector<Vec3> MotionDatabase::Reconstruct(int segment) const
   return positions;
 }
 
+MotionDatabase MotionDatabase::Scaled(double factor) const
+{
+  MotionDatabase scaled = *this;
+  scaled.Volume.Min *= factor;
+  scaled.Volume.Max *= factor;
+  scaled.SettlingSpeed *= factor;
+  scaled.TopSpeed *= factor;
+  for (SegmentGroup& group : scaled.Groups)
+  {
+    group.Mean *= factor;
+  }
+  for (Segment& segment : scaled.Segments)
+  {
+    segment.Coefficients *= factor;
+    segment.MeanWind *= factor;
+  }
+  for (ClusterNode& node : scaled.Nodes)
+  {
+    node.Radius *= factor;
+  }
+  for (Connection& connection : scaled.Connections)
+  {
+    connection.Translation *= factor;
+  }
+  for (Vortex& vortex : scaled.Vortices)
+  {
+    vortex.P1 *= factor;
+    vortex.P2 *= factor;
+    vortex.CoreRadius *= factor;
+    vortex.Strength *= factor * factor;
+  }
+  return scaled;
+}
+
 Result MotionDatabase::Validate() const
 {
   if (this->Segments.empty())

@@ -124,6 +124,9 @@ struct MotionDatabase
   }
   /// Positions of a segment in its own frame, NumberOfSamples of its group.
   std::vector<Vec3> Reconstruct(int segment) const;
+  /// The same in a volume so many times as wide, in the same time: lengths, speeds and
+  /// accelerations are so many times as large.
+  MotionDatabase Scaled(double factor) const;
   /// Indices in range, sizes in agreement, every number finite, at least one segment.
   Result Validate() const;
 

@@ -36,7 +36,7 @@ struct AssimilationOptions
   int Starts = 8;
   int Rounds = 3;
   int WindRounds = 5;
-  double WindSpacing = 0.4;
+  double WindSpacing = 0.0;
   double WindTimeSpacing = 0.5;
   double WindStiffness = 2.0;
   double Smoothness = 0.005;
@@ -94,11 +94,11 @@ struct AssimilationOptions
                        "",
                        "Alternations of fitting the correction with drifting in it, in a round." },
           of.WindRounds...);
-    visit(OptionField{ "WindSpacing",
-                       { 1e-3, 1e3 },
-                       "m",
-                       "Spacing of the wind correction's splines in space, in metres." },
-          of.WindSpacing...);
+    visit(
+      OptionField{
+        "WindSpacing", { 0.0, 1e6 }, "m", "Spacing of the wind correction's splines in space." }
+        .Or("a tenth of the volume's longest side"),
+      of.WindSpacing...);
     visit(OptionField{ "WindTimeSpacing",
                        { 1e-3, 1e3 },
                        "s",

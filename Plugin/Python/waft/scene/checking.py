@@ -10,7 +10,6 @@ from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
-from waft import reading
 from waft.failures import BadInput
 from waft.loading import load_plugin
 from waft.results.writing import read_rows
@@ -97,7 +96,7 @@ class Looked:
         lost = {(int(row["Row"]), int(row["Target"])) for row in self.report if row["Status"] in _LOST}
         self.can_be = np.array([pair not in lost for pair in zip(self.row.tolist(), self.target.tolist())], bool)
         self.radius = vtk_to_numpy(rows.GetPointData().GetArray("Radius")).copy() if count else np.empty(0)
-        self.top_speed = reading.read_blocks(pipeline.database_file).GetBlock(0).GetFieldData().GetArray("TopSpeed").GetComponent(0, 0)
+        self.top_speed = pipeline.output("planner", 2).GetFieldData().GetArray("TopSpeed").GetComponent(0, 0)
 
     def name(self, row):
         return f"row {self.row[row]} target {self.target[row]}"
