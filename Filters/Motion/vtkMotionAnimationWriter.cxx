@@ -83,7 +83,7 @@ struct vtkMotionAnimationWriter::Internals
   waft::Result Run(vtkAlgorithm* stage, vtkInformationVector** inputs, const std::string& fileName,
                    waft::Monitor& monitor);
   waft::Result WriteGlb(vtkInformationVector** inputs, std::vector<waft::Track> tracks,
-                        std::vector<waft::PoseTrack> poses, const waft::Timeline& time,
+                        std::vector<waft::PoseTrack> poses, const waft::SceneInfo& info,
                         const std::string& fileName, waft::Monitor& monitor);
 };
 
@@ -111,8 +111,7 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
   if (waft::HasEnding(fileName, ".glb"))
   {
     info.Time.NumberOfFrames = static_cast<int>(tracks[0].Positions.size());
-    return this->WriteGlb(inputs, std::move(tracks), std::move(poses), info.Time, fileName,
-                          monitor);
+    return this->WriteGlb(inputs, std::move(tracks), std::move(poses), info, fileName, monitor);
   }
   return waft::WrongEnding(fileName, Endings);
 }
@@ -120,7 +119,7 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
 waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector** inputs,
                                                            std::vector<waft::Track> tracks,
                                                            std::vector<waft::PoseTrack> poses,
-                                                           const waft::Timeline& time,
+                                                           const waft::SceneInfo& info,
                                                            const std::string& fileName,
                                                            waft::Monitor& monitor)
 {
@@ -148,7 +147,7 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector*
   std::map<int, std::vector<int>> marks;
   if (rows != nullptr)
   {
-    WAFT_RETURN_IF_FAILED(FramesOfMarks(rows, vtkPolyData::GetData(inputs[0]), time, marks));
+    WAFT_RETURN_IF_FAILED(FramesOfMarks(rows, vtkPolyData::GetData(inputs[0]), info.Time, marks));
   }
   const waft::ShapesOfTracks shapeOf("Poses", objects, shapes.size());
   std::vector<waft::AnimatedObject> animated;
@@ -161,9 +160,9 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector*
                          std::move(marks[tracks[i].ObjectId]) });
     poses[i] = waft::PoseTrack();
   }
-  return waft::WriteAnimationGlb(fileName, shapes, std::move(animated), time.FramesPerSecond,
-                                 monitor,
-                                 rows != nullptr ? waft::MostWholeKeys : waft::AnyNumberOfKeys);
+  return waft::WriteAnimationGlb(
+    fileName, shapes, std::move(animated), info.Time.FramesPerSecond, monitor,
+    rows != nullptr ? waft::MostWholeKeys : waft::AnyNumberOfKeys, info.Bounds);
 }
 
 vtkMotionAnimationWriter::vtkMotionAnimationWriter() : Impl(std::make_unique<Internals>())

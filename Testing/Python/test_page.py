@@ -16,7 +16,7 @@ from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter  # noqa: E402
 from vtkmodules.vtkFiltersSources import vtkCubeSource  # noqa: E402
 from vtkmodules.vtkIOImage import vtkPNGReader  # noqa: E402
@@ -88,17 +88,17 @@ def _often(data, times):
     return result
 
 
-def _write_animation(place, times, marks):
-    """animation.glb of the word several times; with its marks it may be thinned."""
+def _write_animation(place, source, times, marks):
+    """animation.glb of the word of a folder several times; with its marks it may be thinned."""
     writer = vtkMotionAnimationWriter()
     for port, name in enumerate(("poses.vtp", "objects.vtp")):
-        writer.SetInputDataObject(port, _often(read_surface(FLOWN / name), times))
-    shapes = read_blocks(FLOWN / "shapes.vtm")
+        writer.SetInputDataObject(port, _often(read_surface(source / name), times))
+    shapes = read_blocks(source / "shapes.vtm")
     for block in range(shapes.GetNumberOfBlocks()):
         shapes.GetBlock(block).GetFieldData().RemoveArray("Texture")  # it is beside the file
     writer.SetInputDataObject(2, shapes)
     if marks:
-        writer.SetInputDataObject(3, read_surface(FLOWN / "constraints.vtp"))
+        writer.SetInputDataObject(3, read_surface(source / "constraints.vtp"))
     writer.SetFileName(str(place / "animation.glb"))
     if not writer.Write():
         raise AssertionError("not written")
@@ -119,6 +119,27 @@ def _motion(animation):
         sampler, path = motion["samplers"][channel["sampler"]], channel["target"]["path"]
         found[channel["target"]["node"], path] = (read(sampler["input"], 1)[:, 0], read(sampler["output"], 3 + (path == "rotation")))
     return gltf, found
+
+
+FAR = np.array([447000.0, 812000.0, 120.0])  # as maps have it
+
+
+def far_and_near():
+    """Two folders of the same, the first of which is far from the origin."""
+    near = folder("near")
+    _write_animation(near, near, 1, marks=False)
+    far = WORK / "far"
+    shutil.rmtree(far, ignore_errors=True)
+    shutil.copytree(near, far)
+    for path in far.glob("*.vtp"):
+        data = read_surface(path)
+        if data.GetNumberOfPoints():
+            data.GetPoints().SetData(numpy_to_vtk(vtk_to_numpy(data.GetPoints().GetData()).astype(float) + FAR, deep=True))
+        if data.GetFieldData().HasArray("Bounds"):
+            vtk_to_numpy(data.GetFieldData().GetArray("Bounds"))[...] += np.repeat(FAR, 2)
+        write_xml(data, path)
+    _write_animation(far, far, 1, marks=False)
+    return far, near
 
 
 def _mesh_points(gltf, animation, node):
@@ -230,11 +251,11 @@ class ContentsTest(unittest.TestCase):
 
     def test_keys_that_are_left_out_are_there_again(self):
         place = folder("many", "planned.vtp")
-        gltf, whole = _motion(_write_animation(place, 8, marks=False))
+        gltf, whole = _motion(_write_animation(place, FLOWN, 8, marks=False))
         self.assertNotIn("keys", gltf["asset"]["extras"])
-        _, marked = _motion(_write_animation(place, 6, marks=True))  # 86,400 poses
+        _, marked = _motion(_write_animation(place, FLOWN, 6, marks=True))  # 86,400 poses
         self.assertTrue(all(len(times) == 300 for times, _ in marked.values()))
-        thin = _write_animation(place, 8, marks=True)  # 115,200
+        thin = _write_animation(place, FLOWN, 8, marks=True)  # 115,200
         gltf, kept = _motion(thin)
         said = gltf["asset"]["extras"]["keys"]
         self.assertEqual((said["frames"], said["of"], said["kept"]), (300, 384 * 300, sum(len(times) for times, _ in kept.values()) // 2))
@@ -267,7 +288,7 @@ class ContentsTest(unittest.TestCase):
 
     def test_a_thinned_animation_that_is_damaged_is_named(self):
         place = folder("damaged", "planned.vtp")
-        whole = _write_animation(place, 8, marks=True)
+        whole = _write_animation(place, FLOWN, 8, marks=True)
         size = int.from_bytes(whole[12:16], "little")
         content = json.loads(whole[20:20 + size])
         for change in (lambda gltf: gltf["accessors"][-1].update(count=1 << 30), lambda gltf: gltf["accessors"][-1].update(byteOffset=1 << 30),
@@ -284,6 +305,33 @@ class ContentsTest(unittest.TestCase):
                 20 + len(text) + len(rest), len(text))) + b"JSON" + text + rest)
             with self.assertRaisesRegex(BadInput, "animation.glb: "):
                 describe(place)
+
+    def test_far_from_the_origin_it_is_as_exact(self):
+        far, near = far_and_near()
+        (run, animation), (wanted, of_near) = (describe(place) for place in (far, near))
+        corner = FAR + wanted["bounds"][::2]
+        self.assertEqual((run["origin"], wanted["origin"]), (corner.tolist(), [0.0, 0.0, 0.0]))
+        gltf, motion = _motion(animation)
+        root = gltf["nodes"][-1]
+        self.assertEqual((root["translation"], root["children"]), ([corner[0], corner[2], -corner[1]], list(range(48))))
+        places = motion[7, "translation"][1] + np.array(root["translation"]) - (FAR[0], FAR[2], -FAR[1])
+        self.assertLess(np.abs(places - _motion(of_near)[1][7, "translation"][1]).max(), 1e-6)
+        for obstacle, other in zip(run["obstacles"], wanted["obstacles"]):
+            points, theirs = (np.frombuffer(base64.b64decode(each["points"]), "<f4") for each in (obstacle, other))
+            self.assertLess(np.abs(points.reshape(-1, 3) + wanted["bounds"][::2] - theirs.reshape(-1, 3)).max(), 1e-6)
+        for place in (far, near):
+            export(place, "glb", ("ground", "obstacles", "marks", "camera"))
+        (gltf, moved), (other, of_near) = (_motion((place / "scene.glb").read_bytes()) for place in (far, near))
+        self.assertEqual([gltf["nodes"][number]["name"] for number in gltf["scenes"][0]["nodes"]], ["volume"])
+        nodes, theirs = ({node["name"]: node for node in content["nodes"]} for content in (gltf, other))
+        self.assertEqual(nodes.keys() - theirs.keys(), {"volume"})
+        self.assertEqual(len(nodes) - 1, len(nodes["volume"]["children"]))
+        for name in theirs:
+            place = np.array(nodes[name]["translation"]) + nodes["volume"]["translation"] - (FAR[0], FAR[2], -FAR[1])
+            self.assertLess(np.abs(place - theirs[name]["translation"]).max(), 1e-5, name)
+        (pushed,), (wanted,) = ([values for (node, _), (_, values) in found.items() if content["nodes"][node]["name"] == "obstacle-1"]
+                                for content, found in ((gltf, moved), (other, of_near)))
+        self.assertLess(np.abs(pushed - pushed[0] - wanted + wanted[0]).max(), 1e-5)
 
     def test_obstacles_move_and_the_ground_is_a_height(self):
         run, _, _ = contents(FLOWN)
@@ -472,6 +520,22 @@ class BrowserTest(unittest.TestCase):
         shown = [hues[status][round(row) - reach:round(row) + reach, round(column) - reach:round(column) + reach].sum() > 8
                  for status, (column, row) in marks]
         self.assertEqual(sum(shown), 48, shown)
+
+    def test_far_from_the_origin_it_looks_the_same(self):
+        seen = []
+        try:
+            for place in far_and_near():
+                write_page(place)
+                self.browser.open(place / "page.html", "window.waft && waft.ready")
+                self.browser.run("waft.stage('paper'), waft.view('side'), waft.seek(120), waft.settle()")
+                marks = self.browser.run("waft.run.marks.map(({ places: [[, x, y, z]] }) => waft.project([x, y, z]))")
+                seen.append((np.array(marks), self.pixels(place.name)))
+        finally:
+            self.browser.requests.clear()
+            self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+        (marks, pixels), (wanted, others) = seen
+        self.assertLess(np.abs(marks - wanted).max(), 0.02)
+        self.assertLess((np.abs(pixels - others).max(axis=2) > 8).mean(), 1e-3)
 
     def test_keys_step(self):
         self.browser.run("waft.seek(100)")

@@ -2,17 +2,25 @@
 #include "Export/AnimatedObject.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace waft
 {
 
-BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond)
+Vec3 KeyOrigin(const Box& volume)
+{
+  const double farthest = volume.Min.cwiseAbs().cwiseMax(volume.Max.cwiseAbs()).maxCoeff();
+  return farthest * std::numeric_limits<float>::epsilon() > 1e-6 * volume.Width() ? volume.Min
+                                                                                  : Vec3::Zero();
+}
+
+BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond, const Vec3& origin)
 {
   BodyKeys keys;
   for (std::size_t k = 0; k < object.Positions.size(); ++k)
   {
-    const Vec3 place = ToYUp(object.Positions[k]);
+    const Vec3 place = ToYUp(object.Positions[k] - origin);
     const Vec3 axis = ToYUp(object.Orientations[k].vec());
     for (const double x : { place.x(), place.y(), place.z() })
     {

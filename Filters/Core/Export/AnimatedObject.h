@@ -36,8 +36,12 @@ inline Vec3 ToYUp(const Vec3& v)
   return Vec3(v.x(), v.z(), -v.y());
 }
 
+/// Where places in keys are relative to, z up: the origin, or the lowest corner of a volume so far
+/// from it that numbers of 32 bits there are coarser than 1e-6 of its width.
+Vec3 KeyOrigin(const Box& volume);
+
 /// The keys of an object at all frames, y up.
-BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond);
+BodyKeys KeysOf(const AnimatedObject& object, double framesPerSecond, const Vec3& origin);
 
 /// Fails on poses of different lengths, an unknown shape, a mesh that is not one, or numbers that
 /// are not finite.

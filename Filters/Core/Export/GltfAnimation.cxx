@@ -58,7 +58,8 @@ double Linear(double value)
 class Writer
 {
 public:
-  explicit Writer(double framesPerSecond) : FramesPerSecond(framesPerSecond)
+  Writer(double framesPerSecond, const Box& volume) :
+    FramesPerSecond(framesPerSecond), Origin(KeyOrigin(volume))
   {
     this->Model.asset.version = "2.0";
     this->Model.asset.generator = "Waft";
@@ -121,7 +122,7 @@ public:
   /// Of each object before the first one is added, where keys are thinned.
   void Announce(const AnimatedObject& object)
   {
-    this->Keys.Add(KeysOf(object, this->FramesPerSecond), object.Marks);
+    this->Keys.Add(KeysOf(object, this->FramesPerSecond, this->Origin), object.Marks);
   }
 
   void AddObject(const AnimatedObject& object, double placeTolerance)
@@ -131,7 +132,7 @@ public:
     node.name = (shape.empty() ? "object" : shape) + "-" + std::to_string(object.ObjectId);
     node.extras = Extras("ObjectId", tinygltf::Value(object.ObjectId));
     node.mesh = static_cast<int>(object.Shape);
-    const Vec3 translation = ToYUp(object.Positions[0]);
+    const Vec3 translation = ToYUp(object.Positions[0] - this->Origin);
     const Vec3 axis = ToYUp(object.Orientations[0].vec());
     node.translation = { translation.x(), translation.y(), translation.z() };
     node.rotation = { axis.x(), axis.y(), axis.z(), object.Orientations[0].w() };
@@ -139,7 +140,7 @@ public:
     this->Model.nodes.push_back(node);
     this->Model.scenes[0].nodes.push_back(number);
 
-    BodyKeys keys = KeysOf(object, this->FramesPerSecond);
+    BodyKeys keys = KeysOf(object, this->FramesPerSecond, this->Origin);
     const int times = this->TimesOf(object, placeTolerance, keys);
     this->Kept += keys.Count();
     Elements<float> places{ std::move(keys.Places), TINYGLTF_TYPE_VEC3, BodyKeys::PlaceWidth };
@@ -154,6 +155,10 @@ public:
     {
       this->SayHowThinned();
     }
+    if (!this->Model.nodes.empty() && !this->Origin.isZero(0.0))
+    {
+      this->AddRoot();
+    }
     bytes.clear();
     bytes.reserve(this->Model.buffers[0].data.size());
     Appender appender(bytes);
@@ -163,6 +168,18 @@ public:
   }
 
 private:
+  /// Above all objects, where their places are relative to the corner of the volume.
+  void AddRoot()
+  {
+    tinygltf::Node root;
+    root.name = "volume";
+    const Vec3 corner = ToYUp(this->Origin);
+    root.translation = { corner.x(), corner.y(), corner.z() };
+    root.children.swap(this->Model.scenes[0].nodes);
+    this->Model.scenes[0].nodes.push_back(static_cast<int>(this->Model.nodes.size()));
+    this->Model.nodes.push_back(root);
+  }
+
   /// Leaves out keys of an object that can be; returns the accessor of the times of the others,
   /// which objects share.
   int TimesOf(const AnimatedObject& object, double placeTolerance, BodyKeys& keys)
@@ -308,6 +325,7 @@ private:
 
   tinygltf::Model Model;
   double FramesPerSecond;
+  Vec3 Origin; // of places in keys
   std::size_t Poses = 0, Frames = 0, Kept = 0;
   KeyThinning Keys;
   std::vector<int> Times; // accessors of lists
@@ -317,7 +335,7 @@ private:
 
 Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<AnimatedObject> objects,
                      double framesPerSecond, std::string& bytes, Monitor& monitor,
-                     std::size_t mostWholeKeys)
+                     std::size_t mostWholeKeys, const Box& volume)
 {
   if (!(framesPerSecond > 0.0) || !std::isfinite(framesPerSecond))
   {
@@ -326,7 +344,7 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<Anima
   WAFT_RETURN_IF_FAILED(CheckAnimated(shapes, objects));
   try
   {
-    Writer writer(framesPerSecond);
+    Writer writer(framesPerSecond, volume);
     std::vector<double> placeTolerances;
     for (const AnimatedShape& shape : shapes)
     {
@@ -375,11 +393,11 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes, std::vector<Anima
 
 Result WriteAnimationGlb(const std::string& path, const std::vector<AnimatedShape>& shapes,
                          std::vector<AnimatedObject> objects, double framesPerSecond,
-                         Monitor& monitor, std::size_t mostWholeKeys)
+                         Monitor& monitor, std::size_t mostWholeKeys, const Box& volume)
 {
   std::string bytes;
-  const Result result =
-    GltfAnimation(shapes, std::move(objects), framesPerSecond, bytes, monitor, mostWholeKeys);
+  const Result result = GltfAnimation(shapes, std::move(objects), framesPerSecond, bytes, monitor,
+                                      mostWholeKeys, volume);
   return result && !result.IsStopped() ? WriteWholeFile(path, bytes) : result;
 }
 

@@ -213,6 +213,47 @@ TEST(GltfAnimation, NodesTellShapeAndObjectAndTheFileItsRate)
   }
 }
 
+TEST(GltfAnimation, FarFromTheOriginPlacesAreRelativeToTheCornerOfTheVolume)
+{
+  const Vec3 far(447000.0, 812000.0, 120.0);
+  const Box volume{ far - Vec3::Constant(5.0), far + Vec3::Constant(5.0) };
+  std::vector<AnimatedObject> objects = Objects();
+  for (AnimatedObject& object : objects)
+  {
+    for (Vec3& place : object.Positions)
+    {
+      place += far;
+    }
+  }
+  for (const std::size_t mostWholeKeys : { AnyNumberOfKeys, std::size_t(0) })
+  {
+    std::string bytes;
+    tinygltf::Model model;
+    ASSERT_TRUE(GltfAnimation(Shapes(), objects, 24.0, bytes, monitor, mostWholeKeys, volume));
+    ASSERT_NO_FATAL_FAILURE(LoadGlb(bytes, model));
+    ASSERT_EQ(model.scenes[0].nodes, std::vector<int>{ 3 });
+    const tinygltf::Node& root = model.nodes[3];
+    EXPECT_EQ(root.children, (std::vector<int>{ 0, 1, 2 }));
+    EXPECT_EQ(root.translation, (std::vector<double>{ 446995.0, 115.0, -811995.0 }));
+    for (const tinygltf::AnimationChannel& channel : model.animations[0].channels)
+    {
+      const std::vector<Vec3>& wanted = objects[channel.target_node].Positions;
+      const tinygltf::Accessor& keys =
+        model.accessors[model.animations[0].samplers[channel.sampler].output];
+      for (int k = 0; channel.target_path == "translation" && k < 7; ++k)
+      {
+        const auto* at = reinterpret_cast<const float*>(
+          model.buffers[0].data.data() + model.bufferViews[keys.bufferView].byteOffset +
+          keys.byteOffset);
+        const Vec3 v(at[3 * k], at[3 * k + 1], at[3 * k + 2]);
+        EXPECT_LT((Vec3(v.x(), -v.z(), v.y()) + volume.Min - wanted[k]).norm(), 2e-6);
+      }
+      const std::vector<double>& first = model.nodes[channel.target_node].translation;
+      EXPECT_LT((Vec3(first[0], -first[2], first[1]) + volume.Min - wanted[0]).norm(), 1e-9);
+    }
+  }
+}
+
 TEST(GltfAnimation, BadDataAreNamedAndNothingIsWritten)
 {
   const test::TemporaryFolder folder;

@@ -28,15 +28,15 @@ def describe(path, measured=None):
     measured: see page.write_page."""
     folder = Folder(path)
     report = _report(folder)
-    animation, ids, rate, frames = animation_of(folder)
+    animation, ids, rate, frames, origin = animation_of(folder)
     every = interval(len(ids), frames)
     bounds = _folder.volume_of(folder)
     title = report.get("title") or report["scene"].removesuffix(".json").removesuffix(".waft")
     run = {"title": line(title), "scene": line(report["scene"]), "version": report["version"], "seed": report["seed"],
            "quality": quality_of(report.get("quality", "")), "stoppedEarly": report.get("stoppedEarly", False),
-           "rate": rate / every, "frames": math.ceil(frames / every), "every": every, "bounds": bounds,
+           "origin": origin, "rate": rate / every, "frames": math.ceil(frames / every), "every": every, "bounds": bounds,
            "marks": [_at_shown(mark, every, frames) for mark in marks_of(folder)], "plan": _plan(folder, ids, frames, every),
-           "obstacles": _obstacles(folder, bounds, rate, frames, every), "energy": _energy(folder), "rounds": _rounds(folder),
+           "obstacles": _obstacles(folder, bounds, origin, rate, frames, every), "energy": _energy(folder), "rounds": _rounds(folder),
            "measured": _measured(folder, measured)}
     try:
         return run, shown(animation, frames, every)
@@ -63,7 +63,8 @@ def _report(folder):
 
 
 def animation_of(folder):
-    """Bytes of animation.glb of a Folder, and of it: ids of objects in order, frames a second, number of frames."""
+    """Bytes of animation.glb of a Folder, and of it: ids of objects in order, frames a second, number of frames, and what its places are
+    relative to [x, y, z]."""
     path = _folder.needed(folder, "animation.glb")
     content = folder.bytes("animation.glb")
     try:
@@ -75,14 +76,18 @@ def animation_of(folder):
     except (struct.error, ValueError) as error:
         raise _not_ours(folder, str(error)) from error
     gltf = checked(json_of(text, path), GLTF, path)
-    ids = [int(node["extras"]["ObjectId"]) for node in gltf["nodes"]]
+    ids = [int(node["extras"]["ObjectId"]) for node in gltf["nodes"] if "extras" in node]
+    above = [node for node in gltf["nodes"] if "extras" not in node]
     animation = gltf["animations"][0]
     frames = _keys(gltf, int(animation["samplers"][0]["input"]), rest)
     are_there = all(sampler["input"] < len(gltf["accessors"]) for sampler in animation["samplers"])
-    if len(animation["channels"]) != 2 * len(ids) or len(set(ids)) != len(ids) or not frames or not are_there:
+    if len(animation["channels"]) != 2 * len(ids) or len(set(ids)) != len(ids) or len(above) > 1 or not frames or not are_there:
         raise _not_ours(folder, "each object once, with keys of translation and rotation")
     extras = gltf["asset"]["extras"]
-    return content, ids, float(extras["framesPerSecond"]), int(extras["keys"]["frames"]) if "keys" in extras else frames
+    if "keys" in extras:
+        frames = int(extras["keys"]["frames"])
+    x, y, z = above[0].get("translation", (0.0, 0.0, 0.0)) if above else (0.0, 0.0, 0.0)
+    return content, ids, float(extras["framesPerSecond"]), frames, [x, 0.0 - z, y]
 
 
 def _keys(gltf, number, size):
@@ -146,9 +151,10 @@ def _base64(values):
     return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode()
 
 
-def _obstacles(folder, bounds, rate, frames, every):
-    """Surfaces as they stand at frame 0, and how far each is shifted at every n-th frame; of the ground its height alone."""
-    return [{"ground": obstacle.ground, "points": _base64(obstacle.points.astype("<f4")),
+def _obstacles(folder, bounds, origin, rate, frames, every):
+    """Surfaces as they stand at frame 0, relative to the origin, and how far each is shifted at every n-th frame; of the ground its
+    height alone."""
+    return [{"ground": obstacle.ground, "points": _base64((obstacle.points - origin).astype("<f4")),
              "triangles": _base64(obstacle.triangles.astype("<u4")),
              "shifts": None if obstacle.shifts is None else _base64(obstacle.shifts[::every].astype("<f4"))}
             for obstacle in _folder.moving_obstacles(folder, bounds, rate, frames)]

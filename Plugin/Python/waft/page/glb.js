@@ -1,6 +1,7 @@
 "use strict";
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads animation.glb as Waft writes it: a mesh and a material a shape, a node an object with keys at every frame.
+// Reads animation.glb as Waft writes it: a mesh and a material a shape, a node an object with keys at every frame; one above
+// them says where a scene far from its origin stands.
 
 function bytesOfBase64(text) {
   const letters = atob(text.trim());
@@ -63,7 +64,7 @@ class Glb {
     const keys = this.json.nodes.map(() => ({}));
     const { channels, samplers } = this.json.animations[0];
     for (const { sampler, target } of channels) keys[target.node][target.path] = this.accessor(samplers[sampler].output);
-    return this.json.nodes.map(({ name, mesh, extras }, index) => ({ name, id: extras.ObjectId, shape: mesh,
-      positions: keys[index].translation, rotations: keys[index].rotation }));
+    return this.json.nodes.flatMap(({ name, mesh, extras }, index) => extras ? [{ name, id: extras.ObjectId, shape: mesh,
+      positions: keys[index].translation, rotations: keys[index].rotation }] : []);
   }
 }

@@ -4,6 +4,7 @@
 
 function begin() {
   const run = JSON.parse(byName("run").textContent);
+  origin = run.origin;
   const animation = bytesOfBase64(byName("animation").textContent);
   const glb = new Glb(animation);
   const shapes = glb.shapes(), objects = glb.objects();

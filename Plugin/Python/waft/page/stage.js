@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What does not fly: light, ground, obstacles; and how colours depend on the chosen stage.
 
+// What is drawn is relative to it, as keys are: numbers of 32 bits are exact there, however far the scene is from its own origin.
+let origin = [0, 0, 0];
+
 // glTF and three.js have y up, scenes z up.
-const onStage = ([x, y, z]) => new THREE.Vector3(x, z, -y);
+const yUp = ([x, y, z]) => new THREE.Vector3(x, z, -y);
+const onStage = (place) => yUp(place.map((value, axis) => value - origin[axis]));
 
 // shade and glow: colour and strength of shadows on the ground, and of the light round its middle.
 const STAGES = {
@@ -19,9 +23,9 @@ function numbers(kind, text) {
   return new kind(bytesOfBase64(text).buffer);
 }
 
-// A surface that is smooth but where its faces meet at more than 40 degrees; points are the scene's.
+// A surface that is smooth but where its faces meet at more than 40 degrees; points are relative to the origin, z up.
 function creased(points, triangles) {
-  const places = Array.from({ length: points.length / 3 }, (_, k) => onStage(points.subarray(3 * k, 3 * k + 3)));
+  const places = Array.from({ length: points.length / 3 }, (_, k) => yUp(points.subarray(3 * k, 3 * k + 3)));
   const normals = [], around = new Map();
   const keyOf = (corner) => places[corner].toArray().map((value) => value.toFixed(5)).join();
   const keys = places.map((_, corner) => keyOf(corner));
@@ -123,7 +127,7 @@ class Stage {
     };
     const floor = new THREE.Mesh(new THREE.CircleBufferGeometry(2 * this.size, 96), this.soil);
     floor.rotation.x = -Math.PI / 2;
-    floor.position.set(this.center.x, height - 5e-4 * this.size, this.center.z);
+    floor.position.set(this.center.x, height - origin[2] - 5e-4 * this.size, this.center.z);
     floor.receiveShadow = true;
     floor.renderOrder = -1;
     this.scene.add(floor);
@@ -134,7 +138,7 @@ class Stage {
     const first = Math.min(Math.floor(frame), last), next = Math.min(first + 1, last), part = frame - first;
     for (const { mesh, shifts } of this.moving) {
       const at = (axis) => shifts[3 * first + axis] * (1 - part) + shifts[3 * next + axis] * part;
-      mesh.position.copy(onStage([at(0), at(1), at(2)]));
+      mesh.position.copy(yUp([at(0), at(1), at(2)]));
     }
   }
 

@@ -17,12 +17,15 @@ def y_up(points):
 
 
 class Gltf:
-    """content: the JSON part."""
+    """content: the JSON part. origin: what places of nodes in the file are relative to; places given here are the scene's."""
 
-    def __init__(self, data):
+    def __init__(self, data, origin):
         size = struct.unpack("<I", data[12:16])[0]
         self.content = json.loads(data[20:20 + size])
         self._binary = bytearray(data[28 + size:])
+        self._origin = origin
+        root = next((node for node in self.content["nodes"] if "children" in node), None)
+        self._siblings = root["children"] if root else self.content["scenes"][0]["nodes"]
 
     def data(self):
         """The file."""
@@ -43,8 +46,8 @@ class Gltf:
 
     def add_node(self, name, place, **fields):
         """Adds a node to the scene at a place; returns its number."""
-        number = self._append("nodes", {"name": name, "translation": y_up(place).tolist(), **fields})
-        self.content["scenes"][0]["nodes"].append(number)
+        number = self._append("nodes", {"name": name, "translation": y_up(np.subtract(place, self._origin)).tolist(), **fields})
+        self._siblings.append(number)
         return number
 
     def move_node(self, node, places, rate):
@@ -54,7 +57,7 @@ class Gltf:
         if times is None:
             times = self._accessor((np.arange(len(places)) / rate).astype("<f4").reshape(-1, 1), _FLOAT)
         animation["samplers"].append({"input": times, "interpolation": "LINEAR",
-                                      "output": self._accessor(y_up(places).astype("<f4"), _FLOAT)})
+                                      "output": self._accessor(y_up(places - self._origin).astype("<f4"), _FLOAT)})
         animation["channels"].append({"sampler": len(animation["samplers"]) - 1, "target": {"node": node, "path": "translation"}})
 
     def add_camera(self, name, height_angle, near, far):

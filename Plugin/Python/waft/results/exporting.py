@@ -47,8 +47,8 @@ def export(folder, to, parts):
 def _with_surroundings(folder, parts):
     """(bytes of a .glb, frames a second, number of frames)"""
     below = Folder(folder)
-    animation, _, rate, frames = _pagedata.animation_of(below)
-    gltf = Gltf(animation)
+    animation, _, rate, frames, origin = _pagedata.animation_of(below)
+    gltf = Gltf(animation, np.array(origin))
     timing = {"framesPerSecond": rate, "firstFrame": 0, "lastFrame": frames - 1}
     for holder in (gltf.content["asset"], gltf.content["scenes"][0]):
         holder["extras"] = {**holder.get("extras", {}), **timing}
