@@ -28,7 +28,7 @@ import blender_scenes as scenes  # noqa: E402
 
 addon_utils.enable("waft_addon", default_set=True)
 
-from waft_addon import bodies, command, curves, flight, flying, panel, preferences, reporting, stage, surfaces  # noqa: E402
+from waft_addon import bodies, command, curves, flight, flying, panel, preferences, reporting, stage, surfaces, takes  # noqa: E402
 
 FOLDER, WAFT = sys.argv[sys.argv.index("--") + 1:][:2]
 NEAR, ALIKE = 1e-5, 1e-4  # m, rad: what comes back and what goes out agree to
@@ -95,7 +95,10 @@ def world_points(thing, unit):
 
 
 def points_of_file(path):
-    text = pathlib.Path(path).read_text(encoding="utf-8")
+    return points_of_text(pathlib.Path(path).read_text(encoding="utf-8"))
+
+
+def points_of_text(text):
     numbers = text.split('NumberOfComponents="3" format="ascii">')[1].split("<")[0]
     return np.array(numbers.split(), float).reshape(-1, 3)
 
@@ -774,6 +777,100 @@ class Oddities(unittest.TestCase):
         self.assertNotIn("facing", stage.Stage(bpy.context).scene["constraints"][-1], "what rests lies as it comes down")
         word.rotation_euler = (0.0, 0.0, 0.4)
         self.assertEqual([], self.remarks())
+
+
+class Times(unittest.TestCase):
+    """What is read of a file at a frame is as it is at that frame."""
+
+    def setUp(self):
+        self.leaf = scenes.small_scene()
+        self.scene = bpy.context.scene
+
+    def keyed(self, owner, path, holder=None, **values):
+        """Keys of a setting of a block of data, {f1: value, ...}, which are all that there is of it at frame 5."""
+        for frame, value in values.items():
+            setattr(holder or owner, path.rpartition(".")[2], value)
+            owner.keyframe_insert(path, frame=int(frame[1:]))
+
+    def read(self):
+        self.scene.frame_set(5)
+        looked = stage.Stage(bpy.context)
+        self.assertFalse(looked.problems.is_fatal, list(looked.problems))
+        self.assertEqual(self.scene.frame_current, 5)
+        return looked.scene
+
+    def row(self, name):
+        return next(row for row in self.read()["constraints"] if row["_object"] == name)
+
+    def test_forms_of_targets(self):
+        folder = save("forms")
+        sheet = scenes.target("Sheet", scenes.sheet_mesh("Sheet", 0.1), 35, location=(0.0, 0.0, 1.0))
+        sheet.shape_key_add(name="Basis")
+        big = sheet.shape_key_add(name="Big")
+        for point in big.data:
+            point.co *= 4.0
+        self.keyed(sheet.data.shape_keys, 'key_blocks["Big"].value', big, f1=0.0, f20=1.0)
+        self.keyed(sheet, "waft.radius", sheet.waft, f1=0.01, f20=0.05)
+        wave = scenes.target("Wave", scenes.sheet_mesh("Wave", 0.1), 30, location=(0.0, 0.0, 1.0))
+        lift = wave.modifiers.new("Lift", "DISPLACE")
+        lift.mid_level = 0.0
+        self.keyed(wave, 'modifiers["Lift"].strength', lift, f1=0.0, f20=0.4)
+        data = bpy.data.curves.new("Word", "FONT")
+        data.body = "I"
+        scenes.target("Word", data, 35, location=(0.0, 0.0, 1.0))
+        self.keyed(data, "size", f1=0.2, f20=0.6)
+        image = bpy.data.images.new("Picture", 8, 8)
+        image.filepath_raw, image.file_format = str(folder / "picture.png"), "PNG"
+        image.save()
+        picture = scenes.target("Picture", None, 35, location=(0.0, 0.0, 1.0), empty_display_type="IMAGE")
+        picture.data = image
+        self.keyed(picture, "empty_display_size", f1=0.2, f20=0.6)
+        self.scene.frame_set(5)
+        looked = stage.Stage(bpy.context)
+        rows = {row["_object"]: row for row in looked.scene["constraints"]}
+        sizes = {name: np.ptp(points_of_text(looked.files[rows[name]["targets"]["mesh"]]), axis=0) for name in ("Sheet", "Wave")}
+        self.assertAlmostEqual(sizes["Sheet"][0], 0.8, 5)
+        self.assertAlmostEqual(rows["Sheet"]["radius"], 0.05, 6)
+        self.assertAlmostEqual(rows["Wave"]["targets"]["origin"][2], 1.4, 5)
+        wide = rows["Word"]["targets"]["width"]
+        data.animation_data_clear()
+        data.size = 0.2
+        self.assertAlmostEqual(self.row("Word")["targets"]["width"], wide / 3.0, 5)
+        self.assertAlmostEqual(rows["Picture"]["targets"]["width"], 0.6, 6)
+        image.source = "SEQUENCE"
+        bpy.context.view_layer.update()
+        self.assertIn(("Picture", "shows an image sequence, which is another picture at each frame: choose one picture"),
+                      [(problem.object, problem.text) for problem in stage.Stage(bpy.context).problems if problem.is_error])
+
+    def test_marks_and_fields(self):
+        mark = self.scene.objects["Mark"]
+        mark.waft.is_facing = True
+        self.keyed(mark, "waft.facing_tolerance", mark.waft, f1=0.1, f20=0.3)
+        gust = scenes.field("Gust", "WIND", 0.0)
+        gust.field.use_max_distance = True
+        self.keyed(gust, "field.strength", gust.field, f1=0.0, f20=2.0, f30=0.0)
+        self.keyed(gust, "field.distance_max", gust.field, f1=1.0, f20=3.0)
+        self.assertAlmostEqual(self.row("Mark")["facing"]["tolerance"], 0.3, 6)
+        self.assertAlmostEqual(self.read()["winds"][0]["radius"], 1.5, 5)
+
+    def test_time_remapping(self):
+        """Keys are played at twice their frames: those of marks, of obstacles, and those that a take brings."""
+        self.scene.render.frame_map_old, self.scene.render.frame_map_new = 100, 200
+        mark = self.scene.objects["Mark"]
+        for frame, x in ((10, 0.1), (15, 0.2)):
+            mark.location.x = x
+            mark.keyframe_insert("location", frame=frame)
+        rows = [(row["frame"], round(row["value"][0], 5)) for row in self.read()["constraints"]]
+        self.assertEqual([(19, 0.1), (29, 0.2)], rows)
+        looked = stage.Stage(bpy.context)
+        places = np.column_stack([0.01 * np.arange(36.0), np.zeros(36), np.full(36, 2.0)])
+        turns = np.tile((1.0, 0.0, 0.0, 0.0), (36, 1))
+        values = {"name": "take-001", "folder": "", "quality": "preview"}
+        self.assertEqual(([], []), takes.add(self.scene, values, looked, [places], [turns]))
+        wanted = looked.placements(0, places, turns)[0]
+        for frame in (1, 18, 19, 36):
+            self.scene.frame_set(frame)
+            self.assertLess(np.abs(np.array(self.leaf.matrix_world.translation) - wanted[frame - 1]).max(), 1e-6)
 
 
 JARGON = re.compile(r"\brows?\b|rms|segment|MaximumTurn|scene\.waft\.json|object \d|obstacle \d|database|/constraints|target \d")

@@ -57,10 +57,10 @@ def _curves_to_write(action, thing, identifier):
     return strip.channelbag(slot, ensure=True).fcurves, slot.identifier
 
 
-def replace_curves(action, thing, values, first_frame, identifier=""):
+def replace_curves(action, thing, values, first_frame, identifier="", pace=1.0):
     """Gives an action keys of an object at each frame from first_frame on, linear between, for values {data path: array [frames,
-    components]}, in the place of what it had there. identifier: what slot_of tells of the object's slot in it. Returns that of the
-    slot that they are in."""
+    components]}, in the place of what it had there. identifier: what slot_of tells of the object's slot in it; pace: see pace_of.
+    Returns that of the slot that they are in."""
     curves, identifier = _curves_to_write(action, thing, identifier)
     for curve in list(curves):
         if curve.data_path in values:
@@ -69,7 +69,7 @@ def replace_curves(action, thing, values, first_frame, identifier=""):
         for component in range(table.shape[1]):
             curve = curves.new(path, index=component)
             count = len(table)
-            keys = np.column_stack([first_frame + np.arange(count), table[:, component]])
+            keys = np.column_stack([pace * (first_frame + np.arange(count)), table[:, component]])
             curve.keyframe_points.add(count)
             curve.keyframe_points.foreach_set("co", keys.astype(np.float32).ravel())
             curve.keyframe_points.foreach_set("interpolation", np.full(count, _LINEAR, np.int32))
@@ -86,9 +86,14 @@ def play(thing, action, identifier=""):
             data.action_slot = _slot(action, identifier)
 
 
-def key_frames(thing, paths):
-    """The whole frames at which an object has keys on any of some data paths, rising."""
-    return sorted({round(key.co[0]) for curve in curves_of(thing) if curve.data_path in paths for key in curve.keyframe_points})
+def pace_of(scene):
+    """How far keys are played in a frame of a scene: 1, or what its Time Remapping makes of it."""
+    return scene.render.frame_map_old / scene.render.frame_map_new
+
+
+def key_frames(thing, paths, pace=1.0):
+    """The whole frames of the scene next to those at which keys of an object on any of some data paths are played, rising."""
+    return sorted({round(key.co[0] / pace) for curve in curves_of(thing) if curve.data_path in paths for key in curve.keyframe_points})
 
 
 def nla_paths(thing):

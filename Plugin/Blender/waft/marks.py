@@ -12,7 +12,7 @@ KEYED = ("location", "waft.radius")
 
 @dataclasses.dataclass
 class Mark:
-    """One place at a frame. frame is the scene's; place and radius are in Blender units."""
+    """One place at a frame. frame is the scene's; place and radius are in Blender units, the tolerance of its facing in radians."""
 
     thing: object
     flyer: object  # or None: any
@@ -20,11 +20,12 @@ class Mark:
     place: np.ndarray
     radius: float
     is_rest: bool
+    tolerance: float = 0.0
 
 
-def frames_of(thing):
-    """The frames at which an empty is a mark: those of its keys, else its own."""
-    return key_frames(thing, KEYED[:1]) or [thing.waft.frame]
+def frames_of(thing, pace):
+    """The frames at which an empty is a mark: those of its keys (pace: see curves.py), else its own."""
+    return key_frames(thing, KEYED[:1], pace) or [thing.waft.frame]
 
 
 def flyer_of(thing):
@@ -45,13 +46,15 @@ def add_marks(stage, things, bodies, ids):
             elif flyer.waft.role != "FLYER" or flyer.name_full not in stage.known:
                 stage.problems.error(f"is a mark of {flyer.name_full}, which is no flyer of this scene", thing)
             continue  # what stands against that flyer is said of it
+        frames = frames_of(thing, stage.pace)
         if nla_paths(thing) & set(KEYED):
             stage.problems.warn("has keys in NLA strips, which are not read: bring them back into its action (Tab), or it is a mark at "
-                                + " and ".join(f"frame {frame}" for frame in frames_of(thing)) + " alone", thing)
-        for frame in frames_of(thing):
+                                + " and ".join(f"frame {frame}" for frame in frames) + " alone", thing)
+        for frame in frames:
             if stage.own_frame(thing, frame) is None:
                 break
-            mark = Mark(thing, flyer, frame, _place(stage, thing, frame), stage.value(thing, frame), thing.waft.kind == "REST")
+            radius, tolerance = stage.numbers(thing, frame)
+            mark = Mark(thing, flyer, frame, _place(stage, thing, frame), radius, thing.waft.kind == "REST", tolerance)
             if not stage.is_inside(mark.place):
                 stage.problems.error(f"lies outside of the volume at frame {frame}", thing)
             found.append(mark)
@@ -82,7 +85,7 @@ def _add(stage, mark, bodies, ids):
         stage.add("constraints", mark.thing, kind="rest", object=number, frame=frame, value=place,
                   **({"until": until["until"]} if "until" in until else {}))
     else:
-        facing = {} if mark.thing.waft.is_turned else stage.facing_of(mark.thing, _matrix(stage, mark.thing, mark.frame))
+        facing = {} if mark.thing.waft.is_turned else stage.facing_of(mark.thing, _matrix(stage, mark.thing, mark.frame), mark.tolerance)
         stage.add("constraints", mark.thing, kind="position", object=number, frame=frame, value=place, radius=radius, **facing)
     if mark.thing.waft.is_turned:
         if mark.flyer is None:

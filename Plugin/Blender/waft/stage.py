@@ -9,7 +9,7 @@ import numpy as np
 
 from . import marks
 from .bodies import placements, pose_of
-from .curves import is_animated
+from .curves import is_animated, pace_of
 from .flight import SCENE, row_of
 from .flyers import add_flyers
 from .obstacles import add_obstacles, add_volume
@@ -35,9 +35,9 @@ class Stage:
     scene: the scene file's content. files: {name: content} that it names. problems: what stands against a flight. sources:
     {"constraints", "obstacles", ...: the full name of the object of each entry}. flyers: [(object's full name, Body)] in the order
     of their ObjectId. frames: the frames of the scene, of which the first is frame 0 of the file. unit: metres of a Blender unit.
-    rate: frames per second. Full names of objects: instancers, of what shows instances of others; left_out, of what has a part, but
-    takes none; known, of all of the scene; elsewhere, {that of one of another scene: that scene's name}; volume, that of the volume.
-    manifest: of the files that were written.
+    rate: frames per second; pace: how far keys are played in a frame (curves.py). Full names of objects: instancers, of what shows
+    instances of others; left_out, of what has a part, but takes none; known, of all of the scene; elsewhere, {that of one of another
+    scene: that scene's name}; volume, that of the volume. manifest: of the files that were written.
     """
 
     def __init__(self, context):
@@ -55,9 +55,10 @@ class Stage:
         self.elsewhere = {name: scene.name for scene in bpy.data.scenes if scene != settings for name in by_name(scene.objects)}
         self.frames = range(settings.frame_start, settings.frame_end + 1)
         self.rate = settings.render.fps / settings.render.fps_base
+        self.pace = pace_of(settings)
         self.unit = settings.unit_settings.scale_length
         self.low = self.high = None
-        self.depsgraph = None
+        self._context = self.depsgraph = None  # while it is read
         self._places = {}
         old = too_old(bpy.app.version)
         if old:
@@ -73,9 +74,14 @@ class Stage:
         """Where an object is at a frame."""
         return self._places[frame][thing.name_full][0]
 
-    def value(self, thing, frame):
-        """The radius of a mark, or the strength of a field, at a frame."""
+    def numbers(self, thing, frame):
+        """What _numbers tells of an object at a frame."""
         return self._places[frame][thing.name_full][1]
+
+    def go_to(self, frame):
+        """Takes Blender to a frame: what is read of the file then, forms and settings, is as it is there."""
+        go_to(self._context.scene, frame)
+        self.depsgraph = self._context.evaluated_depsgraph_get()
 
     def start_of(self, thing, body):
         """Where the centre of mass of a flyer is at the first frame [Blender units]."""
@@ -100,12 +106,12 @@ class Stage:
         until = self.own_frame(thing, thing.waft.until) if thing.waft.until else None
         return {"velocity": "rest"} if until is None else {"velocity": "rest", "until": until}
 
-    def facing_of(self, thing, matrix):
+    def facing_of(self, thing, matrix, tolerance):
         """The field of a row that asks its flyers to face along the z axis of a matrix; none of one that asks no such thing."""
         if not thing.waft.is_facing or thing.waft.kind == "REST":
             return {}
         along = np.array(matrix, float)[:3, 2]
-        return {"facing": {"direction": (along / np.linalg.norm(along)).tolist(), "tolerance": min(thing.waft.facing_tolerance, math.pi)}}
+        return {"facing": {"direction": (along / np.linalg.norm(along)).tolist(), "tolerance": min(tolerance, math.pi)}}
 
     def add(self, group, thing, **entry):
         """Adds an entry to a list of the scene file."""
@@ -165,12 +171,12 @@ class Stage:
         for thing in parts["MARK"]:
             if thing.type != "EMPTY":
                 self.problems.error("is no empty: a mark is an empty", thing)
+        self._context = context
         with frame_kept(context.scene, parts["FLYER"]):
             self._sample(context, parts, fields)
-            go_to(context.scene, self.frames[0])
-            self.depsgraph = context.evaluated_depsgraph_get()
+            self.go_to(self.frames[0])
             self._add(context.scene, parts, fields)
-            self.depsgraph = None  # which an undo would take away
+        self._context = self.depsgraph = None  # which an undo would take away
 
     def _leave_out(self, why, thing):
         self.problems.warn(f"{why}: it takes no part", thing)
@@ -191,17 +197,22 @@ class Stage:
     def _sample(self, context, parts, fields):
         moving = [*parts["OBSTACLE"], *fields]
         frames = {self.frames[0]}
-        frames.update(frame for thing in parts["MARK"] for frame in marks.frames_of(thing) if frame in self.frames)
+        frames.update(frame for thing in parts["MARK"] for frame in marks.frames_of(thing, self.pace) if frame in self.frames)
         frames.update(thing.waft.frame for thing in parts["TARGET"] if thing.waft.frame in self.frames)
         if any(is_animated(thing) for thing in moving):
             frames.update(self.frames)
-
-        def value(thing):
-            return thing.waft.radius if thing.waft.role == "MARK" else thing.field.strength if field_of(thing) else 0.0
-
-        self._places = sample(context, [*sum(parts.values(), []), *fields], frames, value)
+        self._places = sample(context, [*sum(parts.values(), []), *fields], frames, _numbers)
         for frame in self.frames:
             self._places.setdefault(frame, self._places[self.frames[0]])
+
+
+def _numbers(thing):
+    """What counts of an object as it is at a frame, beside its place: radius and tolerance of facing of a mark; strength, reach and size
+    of a field."""
+    if thing.waft.role == "MARK":
+        return thing.waft.radius, thing.waft.facing_tolerance
+    field = field_of(thing)
+    return (field.strength, field.distance_max, thing.empty_display_size) if field else ()
 
 
 def _instancers(depsgraph, things):

@@ -29,7 +29,7 @@ def add(scene, values, stage, positions, orientations):
         action = settings.own_action.copy() if settings.own_action else bpy.data.actions.new("")
         action.name = f"{name} {flyer}"
         locations, turns = stage.placements(index, positions[index], orientations[index])
-        slot = curves.replace_curves(action, thing, dict(zip(_MOTION, (locations, turns))), stage.frames[0], settings.own_slot)
+        slot = curves.replace_curves(action, thing, dict(zip(_MOTION, (locations, turns))), stage.frames[0], settings.own_slot, stage.pace)
         entry = settings.takes.add()
         entry.name = name
         entry.action = action

@@ -14,7 +14,7 @@ _DEEP = 0.25  # of its height: what is less deep is upright
 
 
 def add_targets(stage, things, ids):
-    """Adds a keyframe for each target. ids: {full name of a flyer: its ObjectId}."""
+    """Adds a keyframe for each target, as it is at its frame. ids: {full name of a flyer: its ObjectId}."""
     for thing in things:
         settings = thing.waft
         group = list(ids.values())
@@ -28,11 +28,14 @@ def add_targets(stage, things, ids):
             stage.problems.error(f"has {count} places for {len(group)} flyers: expected no more places than flyers", thing)
             continue
         frame = stage.own_frame(thing, settings.frame)
-        shape = frame is not None and _shape(stage, thing, count)
+        if frame is None:
+            continue
+        stage.go_to(settings.frame)
+        shape = _shape(stage, thing, count)
         if not shape:
             continue
         entry = {"kind": "keyframe", "frame": frame, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing),
-                 **stage.facing_of(thing, stage.matrix(thing, settings.frame))}
+                 **stage.facing_of(thing, stage.matrix(thing, settings.frame), settings.facing_tolerance)}
         if settings.group is not None:
             entry["objects"] = sorted(group)
         if "velocity" in entry and _is_upright(stage, thing):
@@ -128,6 +131,9 @@ def _image(stage, thing, count):
     image = thing.data if thing.empty_display_type == "IMAGE" else None
     if image is None or not min(image.size):
         stage.problems.error("is an empty without an image to form: expected an empty of the display type Image", thing)
+        return None
+    if image.source == "SEQUENCE":
+        stage.problems.error("shows an image sequence, which is another picture at each frame: choose one picture", thing)
         return None
     path = bpy.path.abspath(image.filepath, library=image.library)
     ending = os.path.splitext(path)[1].lower()

@@ -19,20 +19,22 @@ def field_of(thing):
 def add_fields(stage, fields):
     """Adds winds and vortices to the scene of a stage (stage.py)."""
     for thing in fields:
-        strengths = np.array([stage.value(thing, frame) for frame in stage.frames])
+        strengths = np.array([stage.numbers(thing, frame)[0] for frame in stage.frames])
         if not np.abs(strengths).max() > 0.0:
             continue
         peak, center_time, duration = _pulse(strengths, stage.rate)
-        matrix = np.array(stage.matrix(thing, stage.frames[0] + int(np.argmax(np.abs(strengths)))), float)
+        at_peak = stage.frames[0] + int(np.argmax(np.abs(strengths)))
+        _, most, size = stage.numbers(thing, at_peak)
+        matrix = np.array(stage.matrix(thing, at_peak), float)
         axis = matrix[:3, 2] / np.linalg.norm(matrix[:3, 2])
         place = matrix[:3, 3] * stage.unit
         times = {"centerTime": center_time, "duration": duration}
         if thing.field.type == "WIND":
-            reach = thing.field.distance_max * stage.unit / 2.0 if thing.field.use_max_distance else 0.0
+            reach = most * stage.unit / 2.0 if thing.field.use_max_distance else 0.0
             stage.add("winds", thing, direction=axis.tolist(), strength=float(peak), center=place.tolist(),
                       radius=reach or _EVERYWHERE * stage.widest, **times)
         else:
-            half = np.linalg.norm(matrix[:3, 2]) * thing.empty_display_size * stage.unit
+            half = np.linalg.norm(matrix[:3, 2]) * size * stage.unit
             stage.add("vortices", thing, p1=(place - half * axis).tolist(), p2=(place + half * axis).tolist(),
                       strength=float(VORTEX_FACTOR * peak), coreRadius=_CORE * half, **times)
 
