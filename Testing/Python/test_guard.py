@@ -126,6 +126,21 @@ class Guard(unittest.TestCase):
         self.assertEqual((0, b""), (done.returncode, done.stderr))
         self.assertFalse(trap.exists())
 
+    def test_another_python_of_the_shell_is_none_of_its_own(self):
+        for name in ("base/lib/python3.11/site-packages", "path", "bin"):
+            (self.folder / name).mkdir(parents=True)
+        for name in ("base/lib/python3.11/site-packages/numpy.py", "path/numpy.py", "path/json.py", "path/sitecustomize.py"):
+            (self.folder / name).write_text("raise ImportError('compiled by another NumPy')\n", encoding="utf-8")
+        (self.folder / "bin/python3").write_text("#!/bin/sh\necho \"No module named 'tomllib'\" >&2\nexit 1\n", encoding="utf-8")
+        (self.folder / "bin/python3").chmod(0o755)
+        theirs = {"PYTHONHOME": "/opt/other", "PYTHONUSERBASE": str(self.folder / "base"), "PYTHONPATH": str(self.folder / "path"),
+                  "PYTHONWARNINGS": "error", "PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}"}
+        done = run("check", self.scene(), env={**os.environ, **theirs})
+        self.assertEqual((0, b""), (done.returncode, done.stderr))
+        for name in ("PYTHONHOME", "PYTHONUSERBASE"):  # each hides the others
+            done = run("check", self.scene(), env={**os.environ, name: theirs[name]})
+            self.assertEqual((0, b""), (done.returncode, done.stderr), name)
+
     def test_a_working_folder_that_is_gone_is_reported(self):
         gone = self.folder / "gone"
         gone.mkdir()

@@ -71,10 +71,12 @@ class Takes(unittest.TestCase):
         self.assertEqual(poses, (self.folder / "alone" / "poses.csv").read_bytes())
 
     def test_a_changed_scene_is_flown_anew_and_what_cannot_be_met_is_reported(self):
-        # Neither a texture that is missing nor a TMPDIR that is no folder keeps a take from being flown.
+        # Neither a texture that is missing, a TMPDIR that is no folder nor another python3 keeps a take from being flown.
         self.write({**SCENE, "shapes": {"leaf": {"builtin": "leaf", "texture": "none.png"}}})
+        (self.folder / "python3").symlink_to("/bin/false")
         flown = subprocess.run(self.command("7"), cwd=self.folder, capture_output=True, text=True, check=False,
-                               env={**os.environ, "TMPDIR": str(self.folder / "scene.waft.json")})
+                               env={**os.environ, "TMPDIR": str(self.folder / "scene.waft.json"),
+                                    "PATH": f"{self.folder}:{os.environ['PATH']}"})
         self.assertEqual(0, flown.returncode, flown.stderr)
         self.assertEqual("", self.rows()[7]["message"])
         before = self.places(7)

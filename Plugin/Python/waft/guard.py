@@ -32,7 +32,7 @@ GRACE = 0.5  # s from a stop until a child that has nothing to write is ended
 PACKAGE = pathlib.Path(__file__).resolve().parent
 NOTHING_BEGUN = "stopped before anything was begun"
 # Lists of folders that programs look into, in which an empty entry is the working folder.
-SEARCHED = ("PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "PV_PLUGIN_PATH", "QT_PLUGIN_PATH")
+SEARCHED = ("PATH", "LD_LIBRARY_PATH", "PV_PLUGIN_PATH", "QT_PLUGIN_PATH")
 
 
 class Reports:
@@ -101,7 +101,8 @@ def environment_of_child():
     return {**os.environ,
             "LC_ALL": "C.UTF-8",  # whose names of files are any
             "HWLOC_COMPONENTS": os.environ.get("HWLOC_COMPONENTS", "-gl"),  # no look at the X server's cards
-            "PYTHONPATH": os.pathsep.join([str(PACKAGE.parent), *filter(None, [os.environ.get("PYTHONPATH")])])}
+            "PYTHONPATH": str(PACKAGE.parent),
+            "PYTHONNOUSERSITE": "1"}
 
 
 def clear_line():
@@ -140,8 +141,10 @@ def settle_environment():
     folder = os.environ.get("TMPDIR")
     if folder is not None and not (os.path.isdir(folder) and os.access(folder, os.W_OK | os.X_OK)):
         os.environ["TMPDIR"] = tempfile.gettempdir()  # as Python has it; MPI would take the other, and fail
-    for name in ("WAFT_GUARD", "WAFT_ARGUMENTS", "WAFT_GUARD_LOG"):
-        os.environ.pop(name, None)
+    # What a shell sets for another Python, or its user has installed for one, need not fit ParaView's.
+    for name in list(os.environ):
+        if name.startswith("PYTHON") or name in ("WAFT_GUARD", "WAFT_ARGUMENTS", "WAFT_GUARD_LOG"):
+            del os.environ[name]
 
 
 def main(arguments):

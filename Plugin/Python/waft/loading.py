@@ -38,6 +38,11 @@ def data_file(name: str) -> str:
     return str(path)
 
 
+def command() -> str:
+    """Path of the command `waft` that came with this package."""
+    return str(_find_upwards("bin/waft"))
+
+
 def addon_folder() -> Optional[pathlib.Path]:
     """The folder of the add-on for Blender; None where it was not installed."""
     return _find_upwards("share/blender/scripts/addons/waft_addon")

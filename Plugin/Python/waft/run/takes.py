@@ -18,11 +18,10 @@ import tempfile
 import threading
 import time
 
-from waft import failures
+from waft import failures, loading
 from waft.beneath import Folder
 from waft.failures import BadInput, Interrupted, WaftError
 from waft.files import write_text
-from waft.loading import version
 from waft.reading import json_of
 from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.results._records import FLOWN, MEASURED, TAKES, checked, record_of
@@ -104,7 +103,7 @@ class _Flight:
     """What all takes have in common, and their processes."""
 
     def __init__(self, scene, folder, quality, threads, database):
-        content = hashlib.sha256(f"{version()} {word_in_keys(quality)}".encode())
+        content = hashlib.sha256(f"{loading.version()} {word_in_keys(quality)}".encode())
         self._scene = Scene.load(scene)
         self._name = os.path.basename(scene)
         if database and not os.path.isfile(database):
@@ -157,11 +156,10 @@ class _Flight:
 
     def _run(self, *arguments):
         """Exit status, stdout and the last line of stderr of a `waft` of its own; the status is None where it was not begun."""
-        guard = pathlib.Path(__file__).parents[1] / "guard.py"
         with self._lock:
             if self._ends:
                 return None, "", ""
-            child = subprocess.Popen(["python3", "-I", str(guard), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            child = subprocess.Popen([loading.command(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                      stderr=subprocess.PIPE, text=True, start_new_session=True, preexec_fn=_block_stops,
                                      env={**os.environ, "WAFT_DEFAULTS": "off"})
             self._children.add(child)
