@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCheckedFiles.h"
 
+#include "Bridge/Data/ShapeData.h"
 #include "Bridge/Files/DataFiles.h"
 #include "Bridge/Files/DataWriting.h"
 #include "Bridge/Files/PictureFiles.h"
@@ -13,6 +14,7 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 #include <vector>
 
@@ -36,6 +38,11 @@ std::string vtkCheckedFiles::ReadImage(const std::string& path, vtkImageData* da
 std::string vtkCheckedFiles::ReadPicture(const std::string& path, vtkImageData* data)
 {
   return waft::ReadPictureFile(path, data).Message();
+}
+
+std::string vtkCheckedFiles::ReadSkin(vtkFieldData* fields, int shape, vtkImageData* data)
+{
+  return waft::ReadPng(waft::SkinOf(fields, static_cast<std::size_t>(shape)), data).Message();
 }
 
 std::string vtkCheckedFiles::Write(const std::string& path, vtkDataObject* data, bool packsWell)

@@ -17,6 +17,7 @@
 
 class vtkCollection;
 class vtkDataObject;
+class vtkFieldData;
 class vtkImageData;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
@@ -36,6 +37,8 @@ public:
   static std::string ReadImage(const std::string& path, vtkImageData* data);
   /** A .png, .jpg, .tif or .bmp of at most 2^26 pixels. */
   static std::string ReadPicture(const std::string& path, vtkImageData* data);
+  /** The skin that a shape has in memory, of field data as shapes and meshes have them. */
+  static std::string ReadSkin(vtkFieldData* fields, int shape, vtkImageData* data);
   /** A .vtp, .vti or .vtt, piece by piece: see Bridge/Files/DataWriting.h. WriteRounded: exact has
    * the names of the arrays at points that keep all digits, with spaces between. */
   static std::string Write(const std::string& path, vtkDataObject* data, bool packsWell);

@@ -2,20 +2,43 @@
 #include "vtkPaintedShapeSource.h"
 
 #include "Base/AtomicFile.h"
+#include "Bridge/Files/WrittenMark.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Shapes/PngImage.h"
 #include "Shapes/TextureImage.h"
 #include "Shapes/ThinShape.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
 namespace
 {
 
-waft::Result WriteSkin(const waft::Outline& outline, const waft::SkinOptions& skin)
+/// Whether nothing is lost when a file is replaced: an earlier version marked none of its skins.
+bool IsReplaceable(const std::string& path, const std::string& skin)
 {
-  const int height = waft::TextureHeight(outline, skin.TextureSize);
-  std::vector<std::uint8_t> pixels;
-  WAFT_RETURN_IF_FAILED(waft::PaintTexture(outline, skin, height, pixels));
-  return waft::WriteWholeFile(skin.TextureFile, waft::EncodePng(pixels, skin.TextureSize, height));
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(path, error)) || waft::IsMarkedAsWritten(path))
+  {
+    return true;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  return fs::file_size(path, error) == skin.size() &&
+         std::string(std::istreambuf_iterator<char>(stream), {}) == skin;
+}
+
+waft::Result SaveSkin(const std::string& path, const std::string& skin)
+{
+  if (!IsReplaceable(path, skin))
+  {
+    return waft::Result::Error("Save Skin As: " + path +
+                               ": nothing was written: expected a new name or a skin saved here "
+                               "before, found another file, which is left alone");
+  }
+  return waft::WriteWholeFile(path, waft::MarkedPng(skin));
 }
 
 } // namespace
@@ -34,6 +57,22 @@ waft::Result vtkPaintedShapeSource::MakeShape(waft::Shape& shape)
   WAFT_RETURN_IF_FAILED(waft::MakeSheet(outline, sheet, shape));
   const auto skin = waft::OptionsOf<waft::SkinOptions>(*this);
   shape.Color = skin.BaseColor;
-  shape.Texture = skin.TextureFile;
-  return skin.TextureFile.empty() ? waft::Result::Ok() : WriteSkin(outline, skin);
+  const int height = waft::TextureHeight(outline, skin.TextureSize);
+  std::vector<std::uint8_t> pixels;
+  WAFT_RETURN_IF_FAILED(waft::PaintTexture(outline, skin, height, pixels));
+  shape.Skin = waft::EncodePng(pixels, skin.TextureSize, height);
+  const std::string& path = skin.SaveSkinAs.empty() ? this->TextureFile : skin.SaveSkinAs;
+  if (!path.empty())
+  {
+    WAFT_RETURN_IF_FAILED(SaveSkin(path, shape.Skin));
+    shape.Texture = path;
+    shape.Skin.clear();
+  }
+  return waft::Result::Ok();
+}
+
+void vtkPaintedShapeSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TextureFile: " << this->TextureFile << "\n";
 }

@@ -3,8 +3,10 @@
  * @class   vtkPaintedShapeSource
  * @brief   what the sources of leaves and feathers share: a painted skin
  *
- * The skin is painted from the same outline as the mesh and written as a PNG file with alpha
- * to TextureFile; without that name nothing is written and the shape has its plain colour.
+ * The skin is painted from the same outline as the mesh, with alpha, and goes with the shape (field
+ * data `Skin`, the bytes of a PNG file). With SaveSkinAs it is written to that file, which the
+ * shape then names as its `Texture`; a file that was not saved so, or was changed since, is left
+ * alone.
  */
 #ifndef vtkPaintedShapeSource_h
 #define vtkPaintedShapeSource_h
@@ -26,11 +28,14 @@ class VTKWAFTSOURCES_EXPORT vtkPaintedShapeSource : public vtkThinShapeSource
 {
 public:
   vtkAbstractTypeMacro(vtkPaintedShapeSource, vtkThinShapeSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   WaftProperty(double, Width);
   WaftProperty(double, Bend);
   WaftProperty(int, Rows);
   WaftProperty(int, Columns);
+  WaftText(SaveSkinAs);
+  /** What SaveSkinAs was called before; it does the same where that is empty. */
   WaftText(TextureFile);
   WaftProperty(int, TextureSize);
   WaftVector(double, BaseColor, 3);

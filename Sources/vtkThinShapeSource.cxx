@@ -10,13 +10,22 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 
 #include <utility>
 
-vtkThinShapeSource::vtkThinShapeSource()
+struct vtkThinShapeSource::Internals
+{
+  waft::StageCache Cache; // each frame that is played asks for the shape
+  vtkNew<vtkMultiBlockDataSet> Kept;
+};
+
+vtkThinShapeSource::vtkThinShapeSource() : Impl(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(0);
 }
+
+vtkThinShapeSource::~vtkThinShapeSource() = default;
 
 double vtkThinShapeSource::InRange(const char* property, double value)
 {
@@ -30,17 +39,24 @@ int vtkThinShapeSource::RequestInformation(vtkInformation*, vtkInformationVector
   return 1;
 }
 
-int vtkThinShapeSource::RequestData(vtkInformation*, vtkInformationVector**,
+int vtkThinShapeSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                     vtkInformationVector* outputs)
 {
   const waft::SceneInfo info = waft::OptionsOf<waft::SceneFrame>(*this).Info();
-  waft::Shape shape;
-  waft::CopyFields<waft::ThinBody>(*this, shape);
-  if (waft::Result made = this->MakeShape(shape); !made)
+  Internals& impl = *this->Impl;
+  if (!impl.Cache.IsCurrent(this, inputs))
   {
-    return waft::Fail(this, outputs, made.Message());
+    impl.Cache.Forget();
+    waft::Shape shape;
+    waft::CopyFields<waft::ThinBody>(*this, shape);
+    if (waft::Result made = this->MakeShape(shape); !made)
+    {
+      return waft::Fail(this, outputs, made.Message());
+    }
+    waft::ShapesToMultiBlock({ std::move(shape) }, info, impl.Kept);
+    impl.Cache.MarkCurrent(this, inputs);
   }
-  waft::ShapesToMultiBlock({ std::move(shape) }, info, vtkMultiBlockDataSet::GetData(outputs));
+  vtkMultiBlockDataSet::GetData(outputs)->ShallowCopy(impl.Kept);
   waft::RequestedTime(outputs, 0, info.Time);
   return 1;
 }

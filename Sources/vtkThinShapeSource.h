@@ -6,8 +6,9 @@
  * Output port 0, Shapes (vtkMultiBlockDataSet): one block, a surface centred on its centre of mass
  * [m], x along the length, y across, z along the normal, edges up, with texture coordinates and the
  * field data `DragCoefficient`, `AreaDensity` [kg/m^2], `Thickness` [m], `SettlingSpeed` [m/s],
- * `Damping` [1/s], `ClassId`, `Color`, `Texture` (path of an image). The field data `Bounds`,
- * `NumberOfFrames` and `FramesPerSecond` describe the scene.
+ * `Damping` [1/s], `ClassId`, `Color`, `Texture` (path of an image), or, painted in memory, `Skin`
+ * (bytes of a PNG file) and `SkinSize` (how many). The field data `Bounds`, `NumberOfFrames` and
+ * `FramesPerSecond` describe the scene.
  */
 #ifndef vtkThinShapeSource_h
 #define vtkThinShapeSource_h
@@ -16,7 +17,7 @@
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkWaftSourcesModule.h"
 
-#include <string>
+#include <memory>
 
 namespace waft
 {
@@ -46,7 +47,7 @@ public:
 
 protected:
   vtkThinShapeSource();
-  ~vtkThinShapeSource() override = default;
+  ~vtkThinShapeSource() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                          vtkInformationVector* outputs) override;
@@ -66,6 +67,9 @@ protected:
 private:
   vtkThinShapeSource(const vtkThinShapeSource&) = delete;
   void operator=(const vtkThinShapeSource&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
 };
 
 #endif

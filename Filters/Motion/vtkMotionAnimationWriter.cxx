@@ -23,6 +23,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <cstddef>
 #include <map>
 #include <set>
 #include <string>
@@ -34,6 +35,7 @@ namespace
 {
 
 const char* const Endings = ".glb or .csv";
+constexpr std::size_t MostText = std::size_t(1) << 28; // bytes of a .glb in which its sign stands
 
 using waft::StageInput;
 
@@ -106,10 +108,12 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
   WAFT_RETURN_IF_FAILED(waft::PosesFromPolyData(data, tracks, poses));
   if (waft::HasEnding(fileName, ".csv"))
   {
+    WAFT_RETURN_IF_FAILED(waft::CheckOwn(fileName, waft::PosesCsvHeader, 100));
     return waft::WritePosesCsv(fileName, tracks, poses, info.Time, monitor);
   }
   if (waft::HasEnding(fileName, ".glb"))
   {
+    WAFT_RETURN_IF_FAILED(waft::CheckOwn(fileName, waft::GltfSign, MostText));
     info.Time.NumberOfFrames = static_cast<int>(tracks[0].Positions.size());
     return this->WriteGlb(inputs, std::move(tracks), std::move(poses), info, fileName, monitor);
   }
@@ -140,6 +144,10 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector*
       {
         this->Warnings.push_back("shape '" + shape.Body.Name + "': " + read.Message());
       }
+    }
+    else if (!shape.Body.Skin.empty())
+    {
+      shape.Texture = { shape.Body.Skin, "image/png" };
     }
     shapes.push_back(std::move(shape));
   }

@@ -81,7 +81,9 @@ waft::Result vtkVDBWriter::Internals::WriteStep(vtkAlgorithm* stage, vtkInformat
   const double time = waft::TimeSweep::DataTime(input);
   const int frame =
     hasScene ? static_cast<int>(std::lround(time * scene.Time.FramesPerSecond)) : this->Step;
-  return waft::WriteVolume(steps > 1 ? waft::SeriesFile(fileName, frame) : fileName, volume, scene);
+  const std::string path = steps > 1 ? waft::SeriesFile(fileName, frame) : fileName;
+  WAFT_RETURN_IF_FAILED(waft::CheckOwn(path, waft::VolumeSign, 4096));
+  return waft::WriteVolume(path, volume, scene);
 }
 
 void vtkVDBWriter::Internals::Keep(vtkInformation* input, double time)

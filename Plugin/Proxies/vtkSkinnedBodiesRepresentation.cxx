@@ -16,8 +16,10 @@
 #include <vtkShaderProperty.h>
 #include <vtkStringArray.h>
 #include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <system_error>
 
@@ -53,6 +55,15 @@ std::string TextureNamed(vtkFieldData* fields, vtkIdType shape)
                                                                 : std::string();
 }
 
+// All of them: field data come as new arrays from a server, frame by frame.
+std::string SkinsIn(vtkFieldData* fields)
+{
+  auto* skins = vtkUnsignedCharArray::SafeDownCast(fields->GetAbstractArray("Skin"));
+  return skins == nullptr ? std::string()
+                          : std::string(reinterpret_cast<const char*>(skins->GetPointer(0)),
+                                        static_cast<std::size_t>(skins->GetNumberOfValues()));
+}
+
 void LetLightThrough(vtkActor* actor)
 {
   vtkShaderProperty* shader = actor->GetShaderProperty();
@@ -75,7 +86,7 @@ void vtkSkinnedBodiesRepresentation::AddParts(vtkPolyData* block, double, Parts&
   {
     Part part;
     const bool has = surface->GetPointData()->GetTCoords() != nullptr;
-    vtkTexture* texture = has ? this->TextureOf(TextureNamed(fields, shape)) : nullptr;
+    vtkTexture* texture = has ? this->TextureOf(fields, shape) : nullptr;
     TakeColor(fields, texture != nullptr ? "Tint" : "Color", shape, part.Color);
     if (opacities != nullptr && shape < opacities->GetNumberOfTuples())
     {
@@ -86,20 +97,27 @@ void vtkSkinnedBodiesRepresentation::AddParts(vtkPolyData* block, double, Parts&
   }
 }
 
-vtkTexture* vtkSkinnedBodiesRepresentation::TextureOf(const std::string& path)
+vtkTexture* vtkSkinnedBodiesRepresentation::TextureOf(vtkFieldData* fields, vtkIdType shape)
 {
-  if (path.empty())
+  const std::string path = TextureNamed(fields, shape);
+  const std::string skins = path.empty() ? SkinsIn(fields) : std::string();
+  if (path.empty() && skins.empty())
   {
     return nullptr;
   }
   std::error_code error;
-  const auto written = std::filesystem::last_write_time(path, error).time_since_epoch().count();
-  vtkSmartPointer<vtkTexture>& texture = this->Textures[path + '\n' + std::to_string(written)];
+  const auto which =
+    path.empty() ? shape : std::filesystem::last_write_time(path, error).time_since_epoch().count();
+  vtkSmartPointer<vtkTexture>& texture =
+    this->Textures[path + skins + '\n' + std::to_string(which)];
   if (texture == nullptr)
   {
     texture = vtkSmartPointer<vtkTexture>::New();
     vtkNew<vtkImageData> picture;
-    if (vtkCheckedFiles::ReadPicture(path, picture).empty())
+    const std::string lack = path.empty()
+                               ? vtkCheckedFiles::ReadSkin(fields, static_cast<int>(shape), picture)
+                               : vtkCheckedFiles::ReadPicture(path, picture);
+    if (lack.empty())
     {
       const int* size = picture->GetDimensions();
       const int block = std::max(1, (std::max(size[0], size[1]) - 1) / MostTexels + 1);

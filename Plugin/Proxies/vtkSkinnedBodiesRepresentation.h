@@ -3,10 +3,11 @@
  * @class   vtkSkinnedBodiesRepresentation
  * @brief   shows bodies in the skins of their shapes, with a draw call a shape
  *
- * The field data `Color`, `Tint`, `Opacity` and `Texture` have a tuple a shape, the point data
- * `ShapeId` say whose a body is; without these all is of the first shape. A texture is cut out
- * where its alpha says so, and bodies let light through; where a picture cannot be read, and
- * without one, a body has its plain colour.
+ * The field data `Color`, `Tint`, `Opacity`, `Texture` and `SkinSize` have a tuple a shape, the
+ * point data `ShapeId` say whose a body is; without these all is of the first shape. Without a
+ * `Texture` a shape has its part of the `Skin`, bytes of PNG files. A texture is cut out where its
+ * alpha says so, and bodies let light through; where a picture cannot be read, and without one, a
+ * body has its plain colour.
  */
 #ifndef vtkSkinnedBodiesRepresentation_h
 #define vtkSkinnedBodiesRepresentation_h
@@ -16,6 +17,8 @@
 
 #include <map>
 #include <string>
+
+class vtkFieldData;
 
 class VTKWAFTPROXIES_EXPORT vtkSkinnedBodiesRepresentation : public vtkPartsRepresentation
 {
@@ -34,9 +37,10 @@ private:
   vtkSkinnedBodiesRepresentation(const vtkSkinnedBodiesRepresentation&) = delete;
   void operator=(const vtkSkinnedBodiesRepresentation&) = delete;
 
-  vtkTexture* TextureOf(const std::string& path);
+  vtkTexture* TextureOf(vtkFieldData* fields, vtkIdType shape);
 
-  std::map<std::string, vtkSmartPointer<vtkTexture>> Textures; // by path and the time of the file
+  // By path and the time of the file, or by the bytes of all skins and whose it is.
+  std::map<std::string, vtkSmartPointer<vtkTexture>> Textures;
 };
 
 #endif

@@ -5,6 +5,8 @@
 #include "SceneSources.h"
 
 #include "Base/TemporaryFolder.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Files/SceneFiles.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
@@ -12,6 +14,7 @@
 #include <vtkConstraintSource.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkLeafShapeSource.h>
 #include <vtkMotionSceneFileWriter.h>
 #include <vtkMotionSceneReader.h>
 #include <vtkMotionSceneWriter.h>
@@ -546,14 +549,27 @@ TEST(MotionSceneWriter, WhatIsMadeByHandReadsBack)
   vtkNew<vtkMotionSceneWriter> writer;
   writer->SetInputConnection(vtkMotionSceneReader::OBJECTS, objects->GetOutputPort());
   writer->SetInputConnection(vtkMotionSceneReader::CONSTRAINTS, rows->GetOutputPort());
+  vtkNew<vtkLeafShapeSource> leaf;
+  leaf->SetTextureSize(32);
+  writer->SetInputConnection(vtkMotionSceneReader::SHAPES, leaf->GetOutputPort());
   writer->SetFileName(folder.File("hand.waft.json"));
   ErrorLog errors(writer);
   ASSERT_TRUE(writer->Write()) << errors.Text;
+  ASSERT_TRUE(writer->Write()) << errors.Text; // over its own files
+  EXPECT_EQ(folder.Names().size(), 3u);
   vtkNew<vtkMotionSceneReader> copy;
   copy->SetFileName(folder.File("hand.waft.json"));
   ErrorLog reading(copy);
   copy->Update();
   EXPECT_EQ(reading.Text, "");
+  std::vector<waft::Shape> shapes;
+  ASSERT_TRUE(waft::ShapesFromMultiBlock(
+    vtkMultiBlockDataSet::SafeDownCast(copy->GetOutputDataObject(vtkMotionSceneReader::SHAPES)),
+    shapes));
+  ASSERT_EQ(shapes.size(), 1u);
+  EXPECT_EQ(shapes[0].Texture, folder.File("hand.shape-leaf.png"));
+  waft::Picture skin;
+  EXPECT_EQ(waft::LoadPictureOf(shapes[0], skin).Message(), "");
   // AppendPolyData drops field data; rows by hand have no numbers of their own yet.
   ExpectSameSurface(objects->GetOutput(), Poly(copy, vtkMotionSceneReader::OBJECTS));
   ExpectSameSurface(rows->GetOutput(), Poly(copy, vtkMotionSceneReader::CONSTRAINTS),

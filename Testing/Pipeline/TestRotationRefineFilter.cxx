@@ -385,6 +385,7 @@ TEST(MotionAnimationWriter, ParaViewsReaderSeesTheSamePoses)
   EXPECT_FALSE(std::filesystem::exists(path));
   writer->SetFileName(path);
   ASSERT_TRUE(writer->Write());
+  EXPECT_TRUE(writer->Write()) << "its own";
 
   vtkNew<vtkGLTFReader> reader;
   reader->SetFileName(path.c_str());
@@ -450,7 +451,16 @@ TEST(MotionAnimationWriter, CsvAndErrors)
     ++lines;
   }
   EXPECT_EQ(lines, 1 + 3 * Frames);
+  EXPECT_TRUE(writer->Write()) << "its own";
   ErrorLog errors(writer);
+  for (const char* name : { "own.csv", "own.glb" })
+  {
+    const std::string own = folder.Write(name, "of another program");
+    writer->SetFileName(own);
+    EXPECT_FALSE(writer->Write());
+    EXPECT_TRUE(errors.Contains(own + ": nothing was written")) << errors.Text;
+    EXPECT_EQ(std::filesystem::file_size(own), 18u);
+  }
   writer->SetFileName("animation.txt");
   EXPECT_FALSE(writer->Write());
   EXPECT_TRUE(errors.Contains(".glb or .csv")) << errors.Text;

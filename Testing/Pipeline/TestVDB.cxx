@@ -257,6 +257,17 @@ TEST(VDB, NamesWhatIsWrong)
   EXPECT_FALSE(writer->Write());
   EXPECT_TRUE(noArrays.Contains("point data array")) << noArrays.Text;
   EXPECT_TRUE(folder.Names().empty());
+  const std::string own = folder.Write("own.vdb", "of another program");
+  for (const std::string& name : { own, folder.File("new.vdb"), folder.File("new.vdb") })
+  {
+    vtkNew<vtkVDBWriter> again;
+    again->SetInputData(wind);
+    again->SetFileName(name);
+    ErrorLog errors(again);
+    EXPECT_EQ(again->Write(), name != own);
+    EXPECT_EQ(errors.Contains(own + ": nothing was written"), name == own) << errors.Text;
+  }
+  EXPECT_EQ(std::filesystem::file_size(own), 18u);
 
   vtkNew<vtkVDBReader> reader;
   ErrorLog errors(reader);

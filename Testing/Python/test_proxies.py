@@ -30,7 +30,8 @@ LARGE = 1e6  # from here on a panel need not name the end of a range
 # What a class does with these by itself, before or beside the run of Core that its options describe.
 OF_THE_CLASS_ALONE = {("vtkGridSmokeSource", "CacheLimit"), ("vtkMotionDatabaseSource", "TimeLimit"),
                       ("vtkVortexFitFilter", "SubtractWind"), ("vtkVortexFitFilter", "PriorFreedom"),
-                      ("vtkMotionResultsReader", "FileName"), ("vtkMotionAnimationSource", "Edits")}
+                      ("vtkMotionResultsReader", "FileName"), ("vtkMotionAnimationSource", "Edits"),
+                      ("vtkLeafShapeSource", "TextureFile"), ("vtkFeatherShapeSource", "TextureFile")}
 OF_ANY_STAGE = {"Active"}
 VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty")
 

@@ -13,11 +13,15 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkInformation.h>
+#include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
 
 namespace waft
 {
@@ -101,6 +105,7 @@ Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shap
   ReadColor(fields, names::Color, shape.Color);
   ReadColor(fields, names::Tint, shape.Tint);
   shape.Texture = FirstString(fields, names::Texture);
+  shape.Skin = SkinOf(fields, 0);
   shape.Authored = AuthoredFromFieldData(data);
   return Result::Ok();
 }
@@ -139,17 +144,47 @@ void LooksToFieldData(const std::vector<Shape>& shapes, vtkFieldData* fields)
   std::vector<Vec3> colors, tints;
   std::vector<double> opacities;
   std::vector<std::string> textures;
+  std::vector<unsigned char> skins;
+  std::vector<int> sizes;
   for (const Shape& shape : shapes)
   {
     colors.emplace_back(shape.Color[0], shape.Color[1], shape.Color[2]);
     tints.emplace_back(shape.Tint[0], shape.Tint[1], shape.Tint[2]);
     opacities.push_back(Opacity(shape));
     textures.push_back(shape.Texture);
+    skins.insert(skins.end(), shape.Skin.begin(), shape.Skin.end());
+    sizes.push_back(static_cast<int>(shape.Skin.size()));
   }
   AddVectors(fields, names::Color, colors);
   AddVectors(fields, names::Tint, tints);
   AddDoubles(fields, names::Opacity, opacities);
   AddStrings(fields, names::Texture, textures);
+  if (!skins.empty())
+  {
+    AddBytes(fields, names::Skin, skins);
+    AddInts(fields, names::SkinSize, sizes);
+  }
+}
+
+std::string SkinOf(vtkFieldData* fields, std::size_t shape)
+{
+  auto* bytes = vtkUnsignedCharArray::SafeDownCast(fields->GetAbstractArray(names::Skin));
+  auto* sizes = vtkIntArray::SafeDownCast(fields->GetAbstractArray(names::SkinSize));
+  const auto index = static_cast<vtkIdType>(shape);
+  if (bytes == nullptr || sizes == nullptr || index >= sizes->GetNumberOfValues())
+  {
+    return {};
+  }
+  vtkIdType begin = 0;
+  for (vtkIdType i = 0; i < index; ++i)
+  {
+    begin += std::max(0, sizes->GetValue(i));
+  }
+  const vtkIdType size = sizes->GetValue(index);
+  return size > 0 && begin + size <= bytes->GetNumberOfValues()
+           ? std::string(reinterpret_cast<const char*>(bytes->GetPointer(begin)),
+                         static_cast<std::size_t>(size))
+           : std::string();
 }
 
 void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,

@@ -124,9 +124,7 @@ Result ReadPictureFile(const std::string& path, vtkImageData* image)
   WAFT_RETURN_IF_FAILED(file.Open(path));
   if (extension == ".png")
   {
-    std::string sound;
-    WAFT_RETURN_IF_FAILED(SoundPng(file.View(), sound));
-    return RunBytes(vtkNew<vtkPNGReader>(), sound, image);
+    return ReadPng(file.View(), image);
   }
   if (extension == ".jpg" || extension == ".jpeg")
   {
@@ -140,6 +138,13 @@ Result ReadPictureFile(const std::string& path, vtkImageData* image)
     return RunFile(vtkNew<vtkBMPReader>(), path, image);
   }
   return RunTiff(file.View(), image);
+}
+
+Result ReadPng(std::string_view bytes, vtkImageData* image)
+{
+  std::string sound;
+  WAFT_RETURN_IF_FAILED(SoundPng(bytes, sound));
+  return RunBytes(vtkNew<vtkPNGReader>(), sound, image);
 }
 
 Result ReadUprightPicture(const std::string& path, vtkImageData* image)

@@ -5,6 +5,7 @@
 #include "Base/Result.h"
 
 #include <string>
+#include <string_view>
 
 class vtkImageData;
 
@@ -21,5 +22,8 @@ Result ReadPictureFile(const std::string& path, vtkImageData* image);
 
 /// The same as it is seen: turned as the file says (cameras note how they were held).
 Result ReadUprightPicture(const std::string& path, vtkImageData* image);
+
+/// The bytes of a PNG file, looked at and read as ReadPictureFile does it.
+Result ReadPng(std::string_view bytes, vtkImageData* image);
 
 } // namespace waft

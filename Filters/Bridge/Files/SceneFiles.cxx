@@ -151,6 +151,14 @@ Result VtkSceneAssets::LoadPicture(const std::string& path, Picture& picture) co
   return PictureFromImage(image, picture);
 }
 
+Result LoadPictureOf(const Shape& shape, Picture& picture)
+{
+  vtkNew<vtkImageData> image;
+  WAFT_RETURN_IF_FAILED(shape.Texture.empty() ? ReadPng(shape.Skin, image)
+                                              : ReadUprightPicture(shape.Texture, image));
+  return PictureFromImage(image, picture);
+}
+
 Result ReadStoredPicture(const std::string& path, Picture& picture)
 {
   vtkNew<vtkImageData> image;

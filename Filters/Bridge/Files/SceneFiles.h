@@ -27,4 +27,7 @@ public:
 /// LoadPicture has them where they are seen.
 Result ReadStoredPicture(const std::string& path, Picture& picture);
 
+/// What a shape is painted with: the picture of its Texture as it is seen, or its Skin.
+Result LoadPictureOf(const Shape& shape, Picture& picture);
+
 } // namespace waft

@@ -160,6 +160,10 @@ Result MakeFiles(SceneContents scene, const std::string& folder, const std::stri
   {
     file.Bytes += WrittenMark(file.Bytes);
   }
+  for (const SceneSkinFile& skin : text.Skins)
+  {
+    files.push_back({ folder + skin.Name, MarkedPng(parts.Shapes[skin.Index].Skin) });
+  }
   files.push_back({ fileName, text.Json });
   named = text.NamedFiles;
   return Result::Ok();

@@ -54,8 +54,8 @@ std::vector<std::array<double, 3>> ColorsOfPoints(const Shape& shape)
 {
   const std::size_t count = shape.Mesh.Points.size();
   Picture picture;
-  const bool isPainted = !shape.Texture.empty() && shape.TextureCoordinates.size() == count &&
-                         VtkSceneAssets().LoadPicture(shape.Texture, picture);
+  const bool isPainted =
+    shape.HasPicture() && shape.TextureCoordinates.size() == count && LoadPictureOf(shape, picture);
   if (!isPainted)
   {
     return std::vector<std::array<double, 3>>(count, shape.Color);

@@ -10,7 +10,10 @@ namespace waft
 /// A comment to put at the end of an XML file of these bytes, with a digest of them.
 std::string WrittenMark(const std::string& bytes);
 
-/// Whether a file ends with the mark of what it has before that: nobody changed it since.
+/// The bytes of a PNG file with a text in it, with a digest of the others.
+std::string MarkedPng(const std::string& png);
+
+/// Whether a file has the mark of all else in it: nobody changed it since it was written.
 bool IsMarkedAsWritten(const std::string& path);
 
 } // namespace waft

@@ -28,7 +28,10 @@ struct Shape
   std::array<double, 3> Color{ 1.0, 1.0, 1.0 }; // 0..1, as a screen is told; without a texture
   std::array<double, 3> Tint{ 1.0, 1.0, 1.0 };  // 0..1, times the texture's: a colour asked for
   std::string Texture;                          // path of an image, or empty
+  std::string Skin;     // without a Texture: the bytes of a PNG file that was painted, or empty
   std::string Authored; // part of a scene file that says this shape (Scene/Scene.h), or empty
+
+  bool HasPicture() const { return !this->Texture.empty() || !this->Skin.empty(); }
 
   /// What its flight depends on.
   template <class Visitor, class... Holder>

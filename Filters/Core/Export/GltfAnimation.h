@@ -14,6 +14,9 @@
 namespace waft
 {
 
+/// What the file itself says that wrote it, in the text that it begins with.
+constexpr const char* GltfSign = R"("generator":"Waft")";
+
 /// Keys of a motion far from the origin (KeyOrigin) are relative to the corner of its volume: the
 /// translation of a root node, the parent of all others. glTF is y-up: a point (x, y, z) is written
 /// as (x, z, -y), a quaternion (w, x, y, z) as (w, x, z, -y). Nodes are named after shape and

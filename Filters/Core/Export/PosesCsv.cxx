@@ -52,7 +52,7 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
                 const Timeline& time, const std::function<bool(const std::string& text)>& write)
 {
   WAFT_RETURN_IF_FAILED(CheckFit(tracks, poses));
-  std::string text = "object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
+  std::string text = PosesCsvHeader;
   bool isWanted = write(text);
   for (std::size_t i = 0; i < tracks.size() && isWanted; ++i)
   {

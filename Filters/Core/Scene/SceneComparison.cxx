@@ -64,7 +64,7 @@ bool IsSameBody(const Shape& a, const Shape& b)
 
 bool IsSameShape(const Shape& a, const Shape& b)
 {
-  return IsSameBody(a, b) && a.ClassId == b.ClassId && a.Texture == b.Texture &&
+  return IsSameBody(a, b) && a.ClassId == b.ClassId && a.Texture == b.Texture && a.Skin == b.Skin &&
          IsNear(a.Color, b.Color) && IsNear(a.Tint, b.Tint) &&
          IsNear(a.DragCoefficient, b.DragCoefficient) && IsNear(a.AreaDensity, b.AreaDensity) &&
          IsNear(a.Thickness, b.Thickness) && IsNear(a.SettlingSpeed, b.SettlingSpeed) &&

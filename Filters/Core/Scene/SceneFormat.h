@@ -28,7 +28,7 @@ private:
   // WriteScene.cxx
   void WriteInfo();
   void CheckLists() const;
-  std::string SideFile(const std::string& what, bool isShape, std::size_t index);
+  std::string SideFile(const std::string& what, const char* ending) const;
   std::string ExistingFile(const std::string& path, const std::string& owner) const;
   std::string Relative(const std::string& path) const;
   SceneJson AsWritten(SceneJson entry);

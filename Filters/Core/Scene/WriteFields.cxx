@@ -69,9 +69,10 @@ SceneJson SceneFormat::FormatObstacle(std::size_t index, int position, const Sce
   }
   else
   {
-    json = { { "kind", "mesh" },
-             { "file",
-               this->SideFile("obstacle-" + std::to_string(obstacle.ObstacleId), false, index) } };
+    const std::string file =
+      this->SideFile("obstacle-" + std::to_string(obstacle.ObstacleId), ".vtp");
+    this->Out.Meshes.push_back({ file, false, index });
+    json = { { "kind", "mesh" }, { "file", file } };
   }
   if (hasOwnId)
   {

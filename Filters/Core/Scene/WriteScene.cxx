@@ -54,14 +54,12 @@ SceneJson SceneFormat::AsWritten(SceneJson entry)
   return entry;
 }
 
-std::string SceneFormat::SideFile(const std::string& what, bool isShape, std::size_t index)
+std::string SceneFormat::SideFile(const std::string& what, const char* ending) const
 {
   std::string name = this->Stem + "." + what;
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '-' ? c : '_'; });
-  name = name.substr(0, 200) + ".vtp";
-  this->Out.Meshes.push_back({ name, isShape, index });
-  return name;
+  return name.substr(0, 200) + ending;
 }
 
 void SceneFormat::WriteInfo()

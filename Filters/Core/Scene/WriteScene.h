@@ -19,10 +19,18 @@ struct SceneMeshFile
   std::size_t Index = 0; // in Scene::Shapes or Scene::Obstacles
 };
 
+/// A skin that is in memory alone goes into a file of its own as well.
+struct SceneSkinFile
+{
+  std::string Name;      // of the file, without folder; ends in .png
+  std::size_t Index = 0; // in Scene::Shapes
+};
+
 struct SceneText
 {
   std::string Json;
   std::vector<SceneMeshFile> Meshes;
+  std::vector<SceneSkinFile> Skins;
   std::vector<std::string> NamedFiles; // paths of files that authored entries name
 };
 
@@ -32,9 +40,9 @@ struct SceneText
 /// Scene::Authored and Shape::Authored are written back entry by entry, as they are, where they
 /// still make what the scene has (to 1e-12; obstacles to 1e-9 m). What was edited since, or never
 /// authored, is written as numbers: objects with their positions, rows with their values, surfaces
-/// as files `stem`.*.vtp, motions of obstacles as the poses at their frames. Paths of files become
-/// relative to `folder`, which is where the scene file will be; relative ones of winds are so
-/// already.
+/// as files `stem`.*.vtp, skins that were painted as files `stem`.*.png, motions of obstacles as
+/// the poses at their frames. Paths of files become relative to `folder`, which is where the scene
+/// file will be; relative ones of winds are so already.
 ///
 /// What the format does not keep: rows are numbered anew, one number for each row, path or
 /// keyframe, in their order; classes by their order in shapes and objects; the id of the ground; of

@@ -163,12 +163,20 @@ SceneJson SceneFormat::FormatShape(std::size_t index)
   }
   else
   {
-    json["mesh"] = this->SideFile("shape-" + this->ShapeNames[index], true, index);
+    const std::string file = this->SideFile("shape-" + this->ShapeNames[index], ".vtp");
+    this->Out.Meshes.push_back({ file, true, index });
+    json["mesh"] = file;
     json["align"] = false;
   }
   if (!shape.Texture.empty())
   {
     json["texture"] = this->ExistingFile(shape.Texture, owner + ": `Texture`");
+  }
+  else if (!shape.Skin.empty())
+  {
+    const std::string file = this->SideFile("shape-" + this->ShapeNames[index], ".png");
+    this->Out.Skins.push_back({ file, index });
+    json["texture"] = file;
   }
   const auto number = [&](const char* field, const char* array, double value, double fallback)
   {
@@ -184,8 +192,8 @@ SceneJson SceneFormat::FormatShape(std::size_t index)
   number("dragCoefficient", "DragCoefficient", shape.DragCoefficient, plain.DragCoefficient);
   number("settlingSpeed", "SettlingSpeed", shape.SettlingSpeed, plain.SettlingSpeed);
   // The one that is seen: with a texture its tint, else the colour.
-  const std::array<double, 3>& seen = shape.Texture.empty() ? shape.Color : shape.Tint;
-  if (seen != (shape.Texture.empty() ? plain.Color : plain.Tint))
+  const std::array<double, 3>& seen = shape.HasPicture() ? shape.Tint : shape.Color;
+  if (seen != (shape.HasPicture() ? plain.Tint : plain.Color))
   {
     const Vec3 color(seen[0], seen[1], seen[2]);
     Require(color.minCoeff() >= 0.0 && color.maxCoeff() <= 1.0,

@@ -28,6 +28,18 @@ void AppendChunk(std::vector<std::uint8_t>& bytes, const char* type,
 
 } // namespace
 
+std::string WithPngText(const std::string& png, const std::string& keyword, const std::string& text)
+{
+  std::vector<std::uint8_t> content(keyword.begin(), keyword.end());
+  content.push_back(0);
+  content.insert(content.end(), text.begin(), text.end());
+  std::vector<std::uint8_t> chunk, end;
+  AppendChunk(chunk, "tEXt", content);
+  AppendChunk(end, "IEND", {});
+  return png.substr(0, png.size() - end.size()) + std::string(chunk.begin(), chunk.end()) +
+         std::string(end.begin(), end.end());
+}
+
 std::string EncodePng(const std::vector<std::uint8_t>& pixels, int width, int height)
 {
   std::vector<std::uint8_t> rows;

@@ -21,7 +21,7 @@ inline constexpr limits::Range TexturePixels = { 16, 4096 };
 /// How a body is painted, by default as a green leaf.
 struct SkinOptions
 {
-  std::string TextureFile;
+  std::string SaveSkinAs;
   int TextureSize = 512;
   std::array<double, 3> BaseColor{ 0.36, 0.52, 0.14 };
   std::array<double, 3> EdgeColor{ 0.66, 0.62, 0.16 };
@@ -34,11 +34,9 @@ struct SkinOptions
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
-    visit(
-      TextField(
-        "TextureFile",
-        "The PNG file that the painted skin is written to; empty: no skin, the plain Base Color."),
-      of.TextureFile...);
+    visit(TextField("SaveSkinAs", "PNG file that the skin is saved as, a new one or one saved here "
+                                  "before: others are left alone; empty: not saved."),
+          of.SaveSkinAs...);
     visit(OptionField{ "TextureSize", TexturePixels, "", "Pixels of the skin along the length." },
           of.TextureSize...);
     visit(OptionField{ "BaseColor", { 0, 1 }, "", "Colour near the middle: red, green, blue." },

@@ -98,7 +98,7 @@ void CheckpointFile::Remove() const
 {
   if (this->IsNamed())
   {
-    (void)std::remove(this->What.Path.c_str());
+    RemoveStateFile(this->What.Path);
   }
 }
 

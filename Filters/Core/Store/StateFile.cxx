@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
@@ -104,10 +105,28 @@ bool StateFileReader::IsWhole()
   return isWhole;
 }
 
+/// Whether something is lost where the file is replaced or removed that never was a state.
+bool IsOfOthers(const std::string& path)
+{
+  StateFileReader file(path);
+  std::string format;
+  file.Values(format);
+  return std::filesystem::exists(path) && format != Format;
+}
+
 } // namespace
+
+void RemoveStateFile(const std::string& path)
+{
+  if (!IsOfOthers(path))
+  {
+    (void)std::remove(path.c_str());
+  }
+}
 
 StateFileWriter::StateFileWriter(const std::string& path, const StateKind& kind,
                                  std::uint64_t key) :
+  Path(path),
   File(path)
 {
   if (!this->File.Open())
@@ -132,6 +151,11 @@ Result StateFileWriter::Commit()
     this->File.Write(&sum, sizeof(sum));
   }
   WAFT_RETURN_IF_FAILED(this->File.Close());
+  if (IsOfOthers(this->Path))
+  {
+    return Result::Error(this->Path + ": nothing was written: expected a new name or a file that "
+                                      "Waft keeps a state in, found another, which is left alone");
+  }
   return this->File.PutInPlace();
 }
 

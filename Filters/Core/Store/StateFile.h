@@ -30,17 +30,22 @@ public:
   StateFileWriter(const std::string& path, const StateKind& kind, std::uint64_t key = 0);
 
   bool IsReading() const override { return false; }
-  /// The file takes its place, its checksum at the end. Errors name the path and the reason; what
-  /// stood there before is then untouched and nothing is left beside it.
+  /// The file takes its place, its checksum at the end. Errors name the path and the reason, which
+  /// a file there that is none of this format is, too; what stood there before is then untouched
+  /// and nothing is left beside it.
   Result Commit();
 
 protected:
   bool Put(const void* bytes, std::size_t size) override;
 
 private:
+  std::string Path;
   PartFile File;
   Digest Checks;
 };
+
+/// Removes a file of this format, whole or damaged; leaves any other alone.
+void RemoveStateFile(const std::string& path);
 
 /// Why a file is not gone on from.
 enum class StateLack

@@ -10,6 +10,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace waft
@@ -77,6 +78,9 @@ constexpr double MostVoxels = 512.0 * 512.0 * 512.0;
 /// a box of more than MostVoxels.
 Result ReadVolumeGrid(const std::string& path, const std::string& name, const VoxelBox& box,
                       VolumeField& field);
+
+/// What the head of such a file says that wrote it, a text of OpenVDB.
+constexpr std::string_view VolumeSign("creator\x06\0\0\0string\x04\0\0\0Waft", 25);
 
 /// One grid a field: float, of which zeros are inactive, or vec3s, all of it active. The file
 /// appears whole or not at all.

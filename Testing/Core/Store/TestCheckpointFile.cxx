@@ -72,6 +72,19 @@ TEST(CheckpointFile, IsAWarningOnceWhereItCannotBeWritten)
   EXPECT_FALSE(file.IsDue(true));
 }
 
+TEST(CheckpointFile, LeavesFilesOfOthersAlone)
+{
+  const test::TemporaryFolder folder;
+  const std::string path = folder.Write("own.png", "a picture of somebody's");
+  std::vector<std::string> warnings;
+  CheckpointFile file({ path, Steps, 7, 0.0, "done" }, warnings);
+  WriteSteps(file, 3);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find(path + ": nothing was written"), std::string::npos) << warnings[0];
+  file.Remove();
+  EXPECT_EQ(std::filesystem::file_size(path), 23u);
+}
+
 TEST(CheckpointFile, OfNoNameIsNeverDue)
 {
   std::vector<std::string> warnings;
