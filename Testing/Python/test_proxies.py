@@ -7,6 +7,7 @@ Core says of an option (default, range, sentence) is what the proxy shows and th
 
 import contextlib
 import glob
+import itertools
 import json
 import os
 import sqlite3
@@ -201,6 +202,32 @@ class ProxyTest(unittest.TestCase):
                         self.assertEqual(count, sum(stage.GetNumberOfInputConnections(port) for port in ports))
                 seen += 1
         self.assertGreater(seen, 10)
+
+    def test_an_input_that_is_not_there_is_told_once_by_its_name(self):
+        some = simple.Sphere()
+        seen = 0
+        for path, element in of_a_class():
+            needed = [described.get("name") for described in element.findall("InputProperty") if described.find("Hints/Optional") is None]
+            for count in range(len(needed) if element.tag == "SourceProxy" else 0):
+                for given in itertools.combinations(needed, count):
+                    simple.SetActiveSource(None)
+                    proxy = make(element.get("name"))()
+                    for name in given:
+                        setattr(proxy, name, some)
+                    proxy.UpdateVTKObjects()
+                    stage = proxy.GetClientSideObject()
+                    said = []
+                    for speaker in (stage, stage.GetExecutive()):
+                        speaker.AddObserver("ErrorEvent", lambda *_: said.append(stage.GetProgressText()))
+                    with self.subTest(proxy=path, given=given):
+                        for time in (0.0, 0.5, 0.5):
+                            stage.UpdateTimeStep(time)
+                        lacking = sorted(set(needed) - set(given))
+                        self.assertEqual(len(said), 1)
+                        self.assertTrue(said[0].endswith(": expected an input, found none"), said[0])
+                        self.assertEqual(sorted(said[0].partition(":")[0].replace(" and ", ", ").split(", ")), lacking)
+                    seen += 1
+        self.assertGreater(seen, 30)
 
     def test_defaults_are_those_of_the_class(self):
         for path, element in of_a_class():

@@ -31,6 +31,35 @@ namespace waft
 namespace
 {
 
+std::string ListText(const std::vector<std::string>& parts)
+{
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  }
+  return text;
+}
+
+bool IsNeeded(const StageInput& port)
+{
+  return port.Connections == StageInput::Number::One || port.Connections == StageInput::Number::Any;
+}
+
+/// What is said of inputs that a stage cannot do without and has not; empty where it has all.
+std::string LackingInputs(vtkInformationVector** inputs, const StageInputs& ports)
+{
+  std::vector<std::string> lacking;
+  for (std::size_t port = 0; port < ports.size(); ++port)
+  {
+    if (IsNeeded(ports[port]) && inputs[port]->GetNumberOfInformationObjects() == 0)
+    {
+      lacking.emplace_back(ports[port].Name);
+    }
+  }
+  return lacking.empty() ? "" : ListText(lacking) + ": expected an input, found none";
+}
+
 /// The inputs of one request, with other data objects where a port takes them otherwise.
 class TakenInputs
 {
@@ -168,26 +197,14 @@ bool TimelineOfSteps(vtkAlgorithm* stage, vtkInformationVector** inputs, Timelin
   return false;
 }
 
-std::string ListText(const std::vector<std::string>& parts)
-{
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    text += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
-  }
-  return text;
-}
-
 } // namespace
 
 int FillInput(const StageInputs& ports, int port, vtkInformation* info)
 {
   const StageInput::Number number = ports[static_cast<std::size_t>(port)].Connections;
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
-  if (number == StageInput::Number::Optional || number == StageInput::Number::AnyOrNone)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
+  // VTK itself would say of one that is not there, at each request, the number of its port.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   if (number == StageInput::Number::Any || number == StageInput::Number::AnyOrNone)
   {
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
@@ -205,6 +222,13 @@ int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationV
     [&]
     {
       const bool isForData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
+      if (const std::string lack = LackingInputs(inputs, ports); !lack.empty())
+      {
+        return isForData ? Fail(stage, outputs, lack)
+               : request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION())
+                 ? FailInformation(outputs)
+                 : 1;
+      }
       TakenInputs taken(inputs, ports);
       if (isForData || request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
       {
