@@ -118,6 +118,33 @@ class HeroTest(unittest.TestCase):
         self.assertLess(pitch(0), np.sin(np.radians(25.0)))
 
 
+class MarksTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.motion = load(folder("marks"))
+
+    def drawn(self, view="hero", motion=None, **choice):
+        taken = Stage(motion or self.motion, SIZE, 1, paths=False, **choice).draw(view, 20)
+        return vtk_to_numpy(taken.GetPointData().GetScalars()).astype(float).reshape(SIZE[1], SIZE[0], 3)
+
+    def test_the_hero_has_none_unless_they_are_asked_for(self):
+        for view, has in (("hero", False), ("side", True), ("top", True), ("follow", True)):
+            by_itself, none, asked = (self.drawn(view, **choice) for choice in ({}, {"targets": False}, {"targets": True}))
+            self.assertGreater(np.abs(asked - none).max(), 60.0, view)
+            self.assertEqual(np.abs(by_itself - (asked if has else none)).max(), 0.0, view)
+
+    def test_they_are_small_and_of_a_colour_that_no_body_has(self):
+        for color in ((0.95, 0.15, 0.75), (0.8, 0.1, 0.1), (1.0, 1.0, 1.0)):
+            bodies = [dataclasses.replace(body, texture="", color=color) for body in self.motion.bodies]
+            motion = dataclasses.replace(self.motion, bodies=bodies)
+            without = self.drawn("follow", motion, targets=False)
+            marked = np.abs(self.drawn("follow", motion) - without).max(axis=2) > 60.0
+            self.assertTrue(10 < marked.sum() < 0.01 * marked.size, marked.sum())
+            ring = self.drawn("follow", motion)[marked]
+            hue = np.median(ring / ring.max(axis=1, keepdims=True), axis=0)
+            self.assertGreater(np.linalg.norm(hue - np.array(color) / max(color)), 0.6, color)
+
+
 class StyleTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -269,6 +296,7 @@ class CommandTest(unittest.TestCase):
         self.assertEqual((self.parsed("--loop").loop, self.parsed("--loop", "0.5").loop), (3.0, 0.5))
         self.assertEqual(self.parsed("--views", "hero,follow").views, ("hero", "follow"))
         self.assertEqual(self.parsed("--style", "paper").style, "paper")
+        self.assertEqual([self.parsed(*words).marks for words in ((), ("--marks",), ("--no-marks",))], [None, True, False])
 
     def test_bad_ones_are_reported(self):
         cases = (("--style", "noon", "invalid choice: 'noon'"), ("--loop", "0", "megabytes above 0, at most 1000"),

@@ -240,12 +240,14 @@ class RenderTest(unittest.TestCase):
             render(place)
 
     def test_a_tint_colours_the_texture(self):
-        place = WORK + "-tint"
-        shutil.rmtree(place, ignore_errors=True)
-        sample_folder.write(place, tint=(0.1, 0.1, 1.0))
-        render(place, frames=str(FRAME), size=SIZE, views="follow", samples=1)
-        plain = picture.read(self.frame("follow", FRAME)).astype(float)
-        blue = picture.read(os.path.join(place, "frames", f"follow_{FRAME:04d}.png")).astype(float)
+        def drawn(name, **changes):
+            place = f"{WORK}-{name}"
+            shutil.rmtree(place, ignore_errors=True)
+            sample_folder.write(place, **changes)
+            written = render(place, frames=str(FRAME), size=SIZE, views="follow", samples=1, targets=False)
+            return picture.read(written[0]).astype(float)
+
+        plain, blue = drawn("plain"), drawn("tint", tint=(0.1, 0.1, 1.0))
         leaf = abs(plain - blue).max(axis=2) > 30.0
         self.assertGreater(leaf.sum(), 50)
         # Red and green fall, blue stays; light that is thrown back has no tint.

@@ -248,7 +248,9 @@ def parser() -> argparse.ArgumentParser:
                       help="pictures that are averaged with --shutter or --aperture, default 16")
     show.add_argument("--jobs", type=_whole(1, 64), default=1, metavar="N", help="pictures that are drawn at a time, default 1")
     show.add_argument("--no-trails", action="store_true", help="without the ways of the last second")
-    show.add_argument("--no-marks", action="store_true", help="without the places that the scene asks for")
+    marks = show.add_mutually_exclusive_group()
+    marks.add_argument("--marks", action="store_true", default=None, help="the places that the scene asks for in the view hero, too")
+    marks.add_argument("--no-marks", dest="marks", action="store_false", help="without these places in any view")
     show.add_argument("--obstacle-opacity", type=opacity, metavar="X",
                       help="0 to 1; default 1, and little where obstacles hide what flies")
     show.set_defaults(run=run_render)
@@ -453,7 +455,7 @@ def run_render(options):
     drawn = []
     with interruptible("stopped: the pictures that were drawn are whole"):
         written = render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
-                         obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=not options.no_marks,
+                         obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=options.marks,
                          style=options.style, loop=options.loop, shutter=options.shutter, aperture=options.aperture,
                          subframes=options.subframes, sheet=options.sheet, jobs=options.jobs,
                          progress=lambda done, text: drawn.append(text))

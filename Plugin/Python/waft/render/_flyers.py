@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What flies: the objects, their shadows, the trails behind them and the marks they aim at."""
+"""What flies: the objects, their shadows and the trails behind them."""
 
 import math
 import os
@@ -8,18 +8,18 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 
 from waft.failures import BadInput
 from waft.reading import read_picture
+from waft.render._marks import colors_of
 from waft.render._scenery import lines, texture
 from waft.texts import warn
 
 _MOST_TEXELS = 4096  # along a side
 _NEAR = 5.0  # extents of a body, of height, in which its shadow's outline pales
-_MARK = (0.86, 0.25, 0.16)
 _CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
 # VTK turns a normal towards the eye; what the first light, the sun, throws on the other side comes through.
 _SHINE_THROUGH = (
@@ -92,6 +92,7 @@ class _Look:
         self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
         # VTK multiplies a texture by the surface's colour.
         self.color = body.tint if self.texture else body.color
+        self.colors = np.array(self.color) * (colors_of(self.texture.GetInput()) if self.texture else np.ones((1, 3)))
         self.opacity = body.opacity
         self.ambient = style.ambient
         self.translucency = style.translucency if self.opacity == 1.0 else 0.0
@@ -155,6 +156,7 @@ class Objects:
                 actor.SetUserMatrix(matrix)
                 renderer.AddActor(actor)
             self._items.append((index, look, actors, matrices))
+        self.colors = np.concatenate([look.colors for look in looks])
 
     def move_to(self, time):
         """Shows all as they are at a time in frames."""
@@ -270,39 +272,3 @@ class Trails:
         shade[..., 3] = (floor + (self._strength - floor) * (1.0 - age) ** 1.5).astype(np.uint8)
         data.GetPointData().SetScalars(numpy_to_vtk(shade.reshape(-1, 4), deep=True))
         self._actor.GetMapper().SetInputData(data)
-
-
-def add_marks(motion, renderer, size):
-    """Small balls where objects pass, a ball of the given radius where one is given, a line for a
-    partial trajectory. Marks of objects that come to rest lie below them and are left out."""
-    for point, radius in motion.marks.flying:
-        _ball(renderer, point, 0.004 * size, 0.9)
-        if radius > 0.004 * size:
-            _ball(renderer, point, radius, 0.16)
-    for points in motion.marks.paths:
-        actor = vtkActor()
-        actor.SetMapper(vtkPolyDataMapper())
-        actor.GetMapper().SetInputData(lines(points, [range(len(points))]))
-        look = actor.GetProperty()
-        look.SetColor(*_MARK)
-        look.SetOpacity(0.6)
-        look.SetLineWidth(2.0)
-        look.LightingOff()
-        renderer.AddActor(actor)
-
-
-def _ball(renderer, point, radius, opacity):
-    sphere = vtkSphereSource()
-    sphere.SetCenter(*point)
-    sphere.SetRadius(radius)
-    sphere.SetThetaResolution(24)
-    sphere.SetPhiResolution(16)
-    actor = vtkActor()
-    actor.SetMapper(vtkPolyDataMapper())
-    actor.GetMapper().SetInputConnection(sphere.GetOutputPort())
-    look = actor.GetProperty()
-    look.SetColor(*_MARK)
-    look.SetAmbient(0.45)
-    look.SetDiffuse(0.6)
-    look.SetOpacity(opacity)
-    renderer.AddActor(actor)

@@ -13,8 +13,9 @@ from waft.failures import BadInput, WaftError
 from waft.render._cameras import Cameras
 from waft.render._drawing import MOST_JOBS, pictures, widest_window
 from waft.render._exposure import Exposure, Film, seen_through
-from waft.render._flyers import Objects, Trails, add_marks
+from waft.render._flyers import Objects, Trails
 from waft.render._loop import Loop
+from waft.render._marks import Marks
 from waft.render._output import AviMovie, Mp4Movie, OggMovie, finished, grab, reduced
 from waft.render._scenery import Scenery
 from waft.render._sheet import Sheet
@@ -84,7 +85,7 @@ def _film(exposure):
 class Stage:
     """The drawn scene: `draw(view, frame)` leaves the picture in the window and returns it."""
 
-    def __init__(self, motion: Any, size: Tuple[int, int] = (1280, 720), samples: int = 2, paths: bool = True, targets: bool = True,
+    def __init__(self, motion: Any, size: Tuple[int, int] = (1280, 720), samples: int = 2, paths: bool = True, targets: Optional[bool] = None,
                  obstacle_opacity: Optional[float] = None, style: str = "day", exposure: Exposure = Exposure()) -> None:
         self._exposure = exposure
         # Pictures that are averaged lie apart by parts of a pixel.
@@ -106,8 +107,9 @@ class Stage:
         self._surroundings: List[Union[Scenery, Trails]] = [self._scenery]
         if paths:
             self._surroundings.append(Trails(motion, self._renderer, look.trail, width=1.2 * samples))
-        if targets:
-            add_marks(motion, self._renderer, self._scenery.size)
+        seen = np.concatenate([self._objects.colors, [look.sky, look.horizon, look.ground]])
+        self._marks = Marks(motion, self._renderer, self._scenery.size, seen)
+        self._targets = targets
         self._motion = motion
         self._obstacle_opacity = obstacle_opacity
         self._opacities: Dict[str, float] = {}
@@ -121,6 +123,7 @@ class Stage:
             self._frame, self._time = frame, None
         self._scenery.show_obstacles(self._opacity(view))
         self._scenery.show_sky(self._cameras.horizon(view, frame))
+        self._marks.show(view != "hero" if self._targets is None else self._targets)
         camera = self._cameras.at(view, frame)
         if self._exposure.is_plain:
             return finished(reduced(self._taken(camera, frame), self._samples))
@@ -178,7 +181,7 @@ def render(
     movie: bool = False,
     views: Sequence[str] = ("hero", "top"),
     paths: bool = True,
-    targets: bool = True,
+    targets: Optional[bool] = None,
     samples: int = 2,
     obstacle_opacity: Optional[float] = None,
     style: str = "day",
@@ -198,7 +201,7 @@ def render(
     movie:    also FOLDER/<view>.ogv and <view>.avi, and <view>.mp4 where the program ffmpeg is found
     views:    of "hero" (near, goes along), "side" (still, on the whole motion), "top" (straight down, x to the right) and "follow"
     paths:    a faint trail of each object's last second (up to three objects: since the start)
-    targets:  small marks where the scene wants objects to pass
+    targets:  small rings where the scene wants objects to pass, in a colour that no body has; None: in all views but "hero"
     samples:  samples x samples pixels are drawn for each one (1: jagged, and the fastest)
     obstacle_opacity: 0 to 1; by itself 1, or where obstacles hide much of the motion from a view,
               little, with their edges drawn
