@@ -508,18 +508,24 @@ class BrowserTest(unittest.TestCase):
         try:
             self.browser.open(place / "page.html", "window.waft && waft.ready")
             self.assertIn("24 of 48", self.browser.run("document.getElementById('facts').innerText"))
-            self.browser.run("waft.view('top'), waft.seek(299), waft.settle()")
+            self.browser.run("waft.view('top'), waft.seek(0), waft.settle()")
+            before = self.pixels("statuses-before")
+            self.browser.run("waft.seek(299), waft.settle()")
             marks = self.browser.run("waft.run.marks.map(({ status, places: [[, x, y]] }) => [status, waft.project([x, y, 0])])")
             reach = round(self.browser.run("waft.project([0.1, 0, 0])[0] - waft.project([0, 0, 0])[0]")) + 2
             pixels = self.pixels("statuses")
         finally:
             self.browser.requests.clear()
             self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
-        red, green, blue = (pixels[..., color] for color in range(3))
-        hues = {"met": green > red + 40, "unreachable": (blue > green + 30) & (blue > red + 15)}  # leaves have neither
-        shown = [hues[status][round(row) - reach:round(row) + reach, round(column) - reach:round(column) + reach].sum() > 8
-                 for status, (column, row) in marks]
-        self.assertEqual(sum(shown), 48, shown)
+
+        def shown(pixels):
+            red, green, blue = (pixels[..., color] for color in range(3))
+            hues = {"met": green > red + 40, "unreachable": (blue > green + 30) & (blue > red + 15)}  # leaves have neither
+            return [hues[status][round(row) - reach:round(row) + reach, round(column) - reach:round(column) + reach].sum() > 8
+                    for status, (column, row) in marks]
+
+        self.assertEqual(sum(shown(pixels)), 48, shown(pixels))
+        self.assertEqual(sum(shown(before)), 0, "nothing is met before its frame")
 
     def test_far_from_the_origin_it_looks_the_same(self):
         seen = []
@@ -548,7 +554,7 @@ class BrowserTest(unittest.TestCase):
           slider.value = slider.max; slider.dispatchEvent(new Event('input')); document.getElementById('marks').click();
           waft.view('top'); waft.settle(); })()""")
         self.assertEqual(self.browser.run("waft.frame"), 299)
-        self.assertIn("frame 299", self.browser.run("document.getElementById('frame').getAttribute('aria-valuetext')"))
+        self.assertIn("frame 299 of 299, 10.0 seconds", self.browser.run("document.getElementById('frame').getAttribute('aria-valuetext')"))
         marks = self.browser.run("waft.run.marks.map(({ places: [[, x, y]] }) => waft.project([x, y, 0]))")
         # Half-way between neighbouring letters, and above and below the word, the floor is empty.
         empty = self.browser.run("[[-1.5, 1], [0, 1], [1.5, 1], [-1.5, -1], [0, -1], [1.5, -1]].map(([x, y]) => waft.project([x, y, 0]))")

@@ -46,7 +46,7 @@ class Player {
   show() {
     const frame = Math.round(this.frame), seconds = (frame / this.run.rate).toFixed(1);
     this.slider.value = frame;
-    this.slider.setAttribute("aria-valuetext", `frame ${frame * this.run.every}, ${seconds} seconds`);
+    this.slider.setAttribute("aria-valuetext", `frame ${frame * this.run.every} of ${this.last * this.run.every}, ${seconds} seconds`);
     if (this.reported !== frame)
       byName("clock").replaceChildren(element("span", `frame ${frame * this.run.every} · `, { className: "wide" }), `${seconds} s`);
     this.reported = frame;
