@@ -37,10 +37,11 @@ Reach ReachOf(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis,
   return reach;
 }
 
-// The displacement d from the point `at` that stays within reach.
+// The displacement d from the point `at` that stays within reach, whatever d is: of two numbers of
+// which the second is none, std::max takes the first.
 inline float Limit(const Reach& reach, float at, float d)
 {
-  return std::min(std::max(d, reach.Low - at), reach.High - at);
+  return std::min(std::max(reach.Low - at, d), reach.High - at);
 }
 
 // The same on a periodic axis.

@@ -296,9 +296,13 @@ double SmokeSolver::Internals::LargestSpeed() const
   float largest = 0.0f;
   for (int axis = 0; axis < 3; ++axis)
   {
-    largest =
-      std::max(largest, LargestSize(this->Velocity[axis].data(), this->Velocity[axis].size()) /
-                          this->Spacing[axis]);
+    const float size =
+      LargestSize(this->Velocity[axis].data(), this->Velocity[axis].size()) / this->Spacing[axis];
+    if (!std::isfinite(size)) // std::max passes over what is no number
+    {
+      return size;
+    }
+    largest = std::max(largest, size);
   }
   return largest;
 }

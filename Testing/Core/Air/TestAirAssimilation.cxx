@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/AirSimulation.h"
 #include "Air/Field/AirSymmetry.h"
+#include "Air/Field/WindCorrection.h"
 #include "Air/PlainDrift.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Air/Run/AssimilationState.h"
@@ -314,6 +315,26 @@ TEST(AirAssimilation, NamesWhatIsWrongWithItsInput)
   input = Leaves();
   input.Scene.Time.NumberOfFrames = 7;
   EXPECT_EQ(ErrorOf(input), "NumberOfFrames: at least 8 expected, found 7");
+}
+
+TEST(AirAssimilation, CorrectsTheWindByAsManyNumbersInAnyVolume)
+{
+  AssimilationOptions options;
+  for (const double width : { 0.3, 1.0, 4.0, 40.0, 200.0 })
+  {
+    const Box volume{ Vec3::Zero(), Vec3::Constant(width) };
+    WindCorrectionOptions splines;
+    splines.Spacing = WindSpacingIn(volume, options);
+    EXPECT_EQ(WindCorrection(volume, Timeline(), splines).NumberOfCoefficients(),
+              std::size_t{ 3 * 13 * 13 * 13 * 23 });
+  }
+  options.WindSpacing = 0.5;
+  EXPECT_EQ(WindSpacingIn(Box(), options), 0.5);
+  options.WindSpacing = 0.01;
+  AssimilationOutput output;
+  SilentMonitor monitor;
+  EXPECT_EQ(AssimilateAir(Leaves(), options, {}, SerialFor(), monitor, output).Message(),
+            "WindSpacing: expected 0 or a number from 0.01562 m in this volume, found 0.01");
 }
 
 TEST(AirAssimilation, StopsWhereItIsAskedTo)

@@ -260,6 +260,21 @@ TEST(SmokeSolver, StopsWithTheLastWholeFrame)
   EXPECT_EQ(before.Velocity, after.Velocity);
 }
 
+TEST(SmokeSolver, SaysThatTheAirIsNotFinite)
+{
+  for (const double odd : { std::numeric_limits<double>::quiet_NaN(), 1e300 })
+  {
+    SmokeSolver solver;
+    ASSERT_TRUE(solver.Begin(Options(8, BoundaryKind::Closed), {}));
+    const auto velocity = [odd](const Vec3& x) { return Vec3(x.x() > 0.5 ? odd : 0.0, 0.0, 0.0); };
+    ASSERT_TRUE(static_cast<bool>(solver.SetVelocity(velocity, false)));
+    SilentMonitor monitor;
+    const Result stepped = solver.Step(SerialFor(), monitor);
+    EXPECT_NE(stepped.Message().find("velocity is not finite at frame 1"), std::string::npos)
+      << stepped.Message();
+  }
+}
+
 TEST(SmokeSolver, NamesWhatIsWrong)
 {
   SmokeSolver solver;

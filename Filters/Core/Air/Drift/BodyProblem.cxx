@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr double BarrierMargin = 0.01;     // m, that the penalty asks for besides
+constexpr double BarrierMargin = 0.01;     // m, that the penalty asks for besides, at most
 constexpr double HandOverTime = 0.1;       // s, beside what is given
 constexpr double LargestBarrierGap = 0.02; // m
 constexpr int PerturbationWaves = 3;
@@ -110,7 +110,7 @@ Clearance BodyProblem::AskedAt(int frame) const
 void BodyProblem::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const
 {
   const Clearance asked = this->AskedAt(frame);
-  const double radius = asked.Radius + BarrierMargin;
+  const double radius = asked.Radius + std::min(BarrierMargin, this->Body.ClearanceRadius);
   const Box& volume = this->World.Scene.Bounds;
   const auto push = [&](const Vec3& normal, double depth)
   {

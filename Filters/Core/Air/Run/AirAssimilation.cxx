@@ -21,6 +21,8 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
+constexpr double WindSpacingOverSide = 0.1; // the longest of the volume
+constexpr double LeastWindSpacing = 1.0 / 256.0;
 
 void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
 {
@@ -133,6 +135,12 @@ std::uint64_t SeedOfAir(const AssimilationInput& input, const AssimilationOption
   return options.Seed < 0 ? input.Scene.Seed : static_cast<std::uint64_t>(options.Seed);
 }
 
+double WindSpacingIn(const Box& volume, const AssimilationOptions& options)
+{
+  return options.WindSpacing > 0.0 ? options.WindSpacing
+                                   : WindSpacingOverSide * volume.Size().maxCoeff();
+}
+
 std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOptions& options)
 {
   const Vec3 size = volume.Size();
@@ -152,6 +160,12 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
 {
   WAFT_RETURN_IF_FAILED(options.Validate());
   WAFT_RETURN_IF_FAILED(CheckTracks(input, LeastFrames));
+  const double least = LeastWindSpacing * input.Scene.Bounds.Size().maxCoeff();
+  if (WindSpacingIn(input.Scene.Bounds, options) < least)
+  {
+    return Result::Error("WindSpacing: expected 0 or a number from " + NumberText(least) +
+                         " m in this volume, found " + NumberText(options.WindSpacing));
+  }
   AirContext setUp(input, options, solids, parallel, monitor);
   AirState state;
   WAFT_RETURN_IF_FAILED(setUp.Obstacles.Build(input.Obstacles));

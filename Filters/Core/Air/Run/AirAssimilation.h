@@ -235,6 +235,8 @@ inline bool GlidesIn(const AssimilationInput& input, const AssimilationOptions& 
 
 /// Of the forces that are drawn.
 std::uint64_t SeedOfAir(const AssimilationInput& input, const AssimilationOptions& options);
+/// Of the wind correction's splines [m].
+double WindSpacingIn(const Box& volume, const AssimilationOptions& options);
 /// Points of the lattice of the air, whose corners are the volume's.
 std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOptions& options);
 

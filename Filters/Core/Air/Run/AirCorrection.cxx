@@ -18,7 +18,6 @@ namespace
 {
 
 constexpr std::size_t FewestToFitTogether = 128;      // bodies
-constexpr double WindSpacingOverSide = 0.1;           // the longest of the volume
 constexpr double SteeringRate = 6.0;                  // 1/s
 constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0.8 GB
 
@@ -125,9 +124,7 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
                 AssimilationOutput& output)
 {
   WindCorrectionOptions options;
-  options.Spacing = run.Options.WindSpacing > 0.0
-                      ? run.Options.WindSpacing
-                      : WindSpacingOverSide * run.Input.Scene.Bounds.Size().maxCoeff();
+  options.Spacing = WindSpacingIn(run.Input.Scene.Bounds, run.Options);
   options.TimeSpacing = run.Options.WindTimeSpacing;
   options.Ridge *= run.Options.WindStiffness;
   options.Bending *= run.Options.WindStiffness;
