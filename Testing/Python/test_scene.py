@@ -4,13 +4,19 @@
     test_scene.py SCENES         by a Python without ParaView; SCENES: the folder of scene files
     pvpython test_scene.py SCENES   reads what was written, too
 """
+import collections
+import decimal
+import fractions
 import glob
 import inspect
+import itertools
 import json
 import os
 import pathlib
+import re
 import sys
 import tempfile
+import types
 import unittest
 
 import waft
@@ -169,6 +175,41 @@ class SceneTest(unittest.TestCase):
                 self.assertIn(words, str(caught.exception))
         self.assertEqual(before, scene.as_dict())
 
+    def test_what_gives_numbers_is_a_list_and_what_is_as_large_a_number(self):
+        class Vector:  # as mathutils has it: a sequence, no list
+            def __init__(self, *numbers):
+                self.numbers = numbers
+
+            def __len__(self):
+                return len(self.numbers)
+
+            def __getitem__(self, place):
+                return self.numbers[place]
+
+        quarter = fractions.Fraction(1, 4)
+        for positions, wanted in ((zip([0, .4], [0, 0], [1, 1]), [[0, 0, 1], [.4, 0, 1]]), (map(tuple, [[0, 0, 1]]), [[0, 0, 1]]),
+                                  ({"a": (0, 0, 1)}.values(), [[0, 0, 1]]), (((x, 0, 1) for x in (0, 1)), [[0, 0, 1], [1, 0, 1]]),
+                                  (collections.deque([(0, 0, 1)]), [[0, 0, 1]]), ([Vector(0, 0, 1)], [[0, 0, 1]]),
+                                  ([(quarter, decimal.Decimal("0.5"), 1)], [[.25, .5, 1]])):
+            scene = waft.Scene()
+            scene.add_objects("leaf", positions=positions)
+            self.assertEqual(wanted, scene.as_dict()["objects"][0]["positions"])
+        motion = ({"frame": frame, "position": Vector(0, 0, frame)} for frame in (0, 5))
+        scene.add_box(Vector(0, 0, 0), map(int, "111"), motion=map(types.MappingProxyType, motion))
+        self.assertEqual([0, 5], [step["frame"] for step in scene.as_dict()["obstacles"][0]["motion"]])
+        self.assertEqual(7, scene.with_seed(quarter * 28).as_dict()["seed"])
+        ring = []
+        ring.append(ring)
+        for words, value in (("position: expected a list of 3 numbers", itertools.repeat(0)), ("position: expected a value", ring),
+                             ("position[0]: expected a number", (b"1", 0, 0)), ("position[0]: expected a number", (1j, 0, 0)),
+                             ("position[0]: expected a number", (fractions.Fraction(10 ** 400), 0, 0)),
+                             ("position[0]: expected a number", (decimal.Decimal("NaN"), 0, 0)),
+                             ("position: expected a list", object()), ("position: expected a list", b"123")):
+            with self.assertRaisesRegex(waft.BadInput, f"Scene.add_object: {re.escape(words)}"):
+                scene.add_object("leaf", value)
+        with self.assertRaisesRegex(waft.BadInput, r"Scene.add_objects: region.1\]: expected one of min, max"):
+            scene.add_objects("leaf", count=2, region={"min": (0, 0, 0), "max": (1, 1, 1), 1: ()})
+
     def test_lists_end_where_the_schema_says(self):
         scene = waft.Scene()
         for call, words in ((lambda: scene.add_objects("leaf", positions=[(0, 0, 1)] * 20001),
@@ -206,7 +247,7 @@ class SceneTest(unittest.TestCase):
         from waft import vtkMotionSceneReader
 
         scene = everything()
-        scene.add_position(np.int64(1), 30, np.array([0.5, 0.25, 3.0]), radius=np.float32(0.5))
+        scene.add_position(np.int64(1), 30, np.array([0.5, 0.25, 3.0], np.longdouble), radius=np.longdouble(0.5))
         scene.save(self.folder / "scene.waft.json")
         errors = []
         from waft.watching import collect

@@ -64,7 +64,10 @@ def entry_of(method, definition, given, **constant):
                 raise refusal(method, *wrong)
             entry = {"_": value, **entry}
         elif value is not None and argument != "self":
-            entry[field_name(argument)] = _schema.plain(value)
+            try:
+                entry[field_name(argument)] = _schema.plain(value)
+            except RecursionError:
+                raise refusal(method, argument, "a value", "lists in lists") from None
     wrong = _schema.fault(entry, _schema.definition(definition), "")
     if wrong is not None:
         place, expected, found = wrong

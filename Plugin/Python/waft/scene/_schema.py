@@ -4,7 +4,9 @@
 Only the keywords that the schema has are known here. `format` is Waft's own: "file" is the path of a file, "font" such a path or
 the name of a family.
 """
+import collections.abc
 import functools
+import itertools
 import json
 import math
 import os
@@ -14,6 +16,7 @@ import re
 from waft.reading import read_json
 
 FAMILIES = ("sans", "serif", "mono")
+_ENDLESS = 1 << 17  # items that are taken of what has no length: more than any list may have
 
 
 @functools.lru_cache(maxsize=None)
@@ -36,21 +39,38 @@ def resolved(field):
 
 
 def plain(value):
-    """A value as JSON has it: tuples, numpy's arrays and paths become lists, numbers and texts."""
+    """A value as JSON has it: what is iterated becomes a list, what float() takes a number, a path a text. What is none of these stays,
+    for `fault` to name."""
+    if value is None or isinstance(value, (bool, int, float, str, bytes, bytearray)):
+        return value
     if hasattr(value, "tolist"):
-        return plain(value.tolist())
+        listed = value.tolist()
+        if type(listed) is not type(value):  # a number that Python has none for gives itself
+            return plain(listed)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    if isinstance(value, (list, tuple, range)):
-        return [plain(item) for item in value]
-    if isinstance(value, dict):
-        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, collections.abc.Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    try:
+        items = iter(value)
+    except TypeError:
+        return _number(value)
+    return [plain(item) for item in itertools.islice(items, _ENDLESS)]
+
+
+def _number(value):
+    for kind, name in ((int, "__index__"), (float, "__float__")):
+        if hasattr(value, name):
+            try:
+                return kind(value)
+            except (TypeError, ValueError, ArithmeticError):
+                break
     return value
 
 
 def shown(value):
     try:
-        text = json.dumps(value, ensure_ascii=False) if isinstance(value, (dict, list, str, bool, type(None))) else repr(value)
+        text = json.dumps(value, ensure_ascii=False, default=repr) if isinstance(value, (dict, list, str, bool, type(None))) else repr(value)
     except RecursionError:
         return "lists in lists"
     return text if len(text) <= 80 else text[:76] + " ..."

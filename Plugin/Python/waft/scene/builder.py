@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, Iterable, List, Mapping, Optional, SupportsFloat, Union
 
 from waft.failures import BadInput
 from waft.files import whole_file, write_text
@@ -14,10 +14,10 @@ from waft.scene import _schema
 from waft.scene._entries import documented, entry_of, refusal, sensible
 from waft.scene._sense import classes_of, last_frame, last_frames, targets_of
 
-Vector = Sequence[float]  # a tuple, a list or a numpy array of three numbers
-Quaternion = Sequence[float]  # w, x, y, z
+Vector = Iterable[SupportsFloat]  # a tuple, a list, a numpy array, ... of three numbers
+Quaternion = Iterable[SupportsFloat]  # w, x, y, z
 Path = Union[str, "os.PathLike[str]"]
-Motion = Sequence[Mapping[str, Any]]  # [{"frame": 0, "position": (0, 0, 1)}, ...]
+Motion = Iterable[Mapping[str, Any]]  # [{"frame": 0, "position": (0, 0, 1)}, ...]
 
 _LISTS = ("objects", "constraints", "obstacles", "winds", "vortices")
 _TOP = 4.0  # of the volume where none is set [m]
@@ -35,7 +35,7 @@ class Scene:
 
     Metres, seconds, kilograms, radians; z is up; frames are counted from 0. Arguments are the fields of scene files
     (Documentation/SceneFiles.md) with underscores: settling_speed is settlingSpeed. A vector is a tuple, list or numpy array
-    [x, y, z], a quaternion [w, x, y, z]. Paths of files are relative to the working directory; in a saved scene they are
+    [x, y, z], or whatever gives three numbers, a quaternion [w, x, y, z]. Paths of files are relative to the working directory; in a saved scene they are
     relative to it. A wrong argument raises waft.BadInput at once, naming the argument, what was expected and what was found.
     Shapes and objects come before what names them.
     """
@@ -102,7 +102,7 @@ class Scene:
 
     @documented("objectsInRegion", "objectsAtPositions")
     def add_objects(self, shape: str, *, count: Optional[int] = None, region: Optional[Mapping[str, Vector]] = None,
-                    positions: Optional[Sequence[Vector]] = None, seed: Optional[int] = None,
+                    positions: Optional[Iterable[Vector]] = None, seed: Optional[int] = None,
                     velocity: Optional[Vector] = None, orientation: Optional[Quaternion] = None,
                     angular_velocity: Optional[Vector] = None, mass: Optional[float] = None,
                     settling_speed: Optional[float] = None, clearance_radius: Optional[float] = None,
@@ -146,18 +146,18 @@ class Scene:
         return self._add_mark("add_rest", "rest", locals())
 
     @documented("pathConstraint")
-    def add_path(self, object: int, first_frame: int, points: Sequence[Vector], *, radius: Optional[float] = None,
+    def add_path(self, object: int, first_frame: int, points: Iterable[Vector], *, radius: Optional[float] = None,
                  comment: Optional[str] = None) -> int:
         """An object follows points, one a frame."""
         return self._add_mark("add_path", "path", locals())
 
     @documented("keyframeConstraint", "pointTargets", "textTargets", "imageTargets", "meshTargets")
-    def add_keyframe(self, frame: int, *, points: Optional[Sequence[Vector]] = None, text: Optional[str] = None,
+    def add_keyframe(self, frame: int, *, points: Optional[Iterable[Vector]] = None, text: Optional[str] = None,
                      image: Optional[Path] = None, mesh: Optional[Path] = None, origin: Optional[Vector] = None,
                      u: Optional[Vector] = None, v: Optional[Vector] = None, width: Optional[float] = None,
                      count: Optional[int] = None, font: Optional[Path] = None,
-                     classes: Union[Sequence[str], Mapping[str, Vector], None] = None,
-                     objects: Optional[Sequence[int]] = None, assign: Optional[str] = None,
+                     classes: Union[Iterable[str], Mapping[str, Vector], None] = None,
+                     objects: Optional[Iterable[int]] = None, assign: Optional[str] = None,
                      velocity: Union[str, Vector, None] = None, until: Optional[int] = None, radius: Optional[float] = None,
                      facing: Optional[Mapping[str, Any]] = None, face_up: Optional[str] = None,
                      comment: Optional[str] = None) -> int:
@@ -289,7 +289,7 @@ class Scene:
     def with_seed(self, seed: int) -> "Scene":
         """A copy whose seed is another: another flight to the same marks."""
         copy = type(self)(seed=seed)  # refuses what is no seed
-        copy._data = {**self._data, "seed": seed}
+        copy._data = {**self._data, **copy._data}
         copy._ids = dict(self._ids)
         return copy
 
@@ -322,11 +322,10 @@ class Scene:
         if count >= most:
             raise refusal(method, name, f"at most {most} of them in a scene", count + 1)
 
-    def _append(self, name, method, definition, given, **constant):
+    def _append(self, name, method, definition, given):
         self._make_room(method, name, len(self._data.get(name, ())))
-        entry = self._with_files(method, definition, entry_of(method, definition, _given(given), **constant))
+        entry = self._with_files(method, definition, entry_of(method, definition, _given(given)))
         self._data.setdefault(name, []).append(entry)
-        return len(self._data[name]) - 1
 
     def _with_files(self, method, definition, entry):
         """The entry with the absolute paths of its files, which have to be there."""
@@ -395,7 +394,8 @@ class Scene:
         late = next((step["frame"] for step in entry.get("motion", ()) if step["frame"] >= self.frames), None)
         if late is not None:
             raise refusal(method, "motion", f"frames from 0 to {self.frames - 1}, as set_time says", late)
-        self._append("obstacles", method, f"{kind}Obstacle", given, kind=kind)
+        self._make_room(method, "obstacles", len(there))
+        self._data.setdefault("obstacles", []).append(entry)
         return own
 
 
