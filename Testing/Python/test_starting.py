@@ -4,6 +4,7 @@
     test_starting.py WAFT       WAFT: the command of the build or of an installed tree
 """
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -209,6 +210,15 @@ class StartingTest(unittest.TestCase):
         self.assertNotIn("hard: too fast", said)
         self.check(2, "/time/frames", time={"frames": 1})
         self.assertEqual(2, self.waft("check", "none.waft.json").returncode)
+        reading, writing = os.pipe()
+        for command, name, found in (("check", "-", "a pipe"), ("check", f"/dev/fd/{reading}", "a pipe"), ("check", ".", "a folder"),
+                                     ("synthesize", "-", "a pipe"), ("info", "-", "a pipe"), ("takes", "-", "a pipe")):
+            options = {"synthesize": ("--output", "out"), "takes": ("--seeds", "1:2", "--output", "out")}.get(command, ())
+            done = subprocess.run([WAFT, command, name, *options], cwd=self.folder, capture_output=True, text=True, check=False,
+                                  pass_fds=(reading,))
+            self.assertEqual((2, f"waft: {name}: expected a regular file, found {found}\n"), (done.returncode, done.stderr))
+        os.close(reading)
+        os.close(writing)
         self.assertEqual(2, self.waft("check", "scene.waft.json", "--database", "none.vtm").returncode)
 
     def test_watch_flies_again_when_the_scene_is_saved(self):

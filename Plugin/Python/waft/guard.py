@@ -25,7 +25,7 @@ import time
 if __name__ == "__main__":  # run by its file alone: the package is where that is
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-from waft import ending, failures, processes, texts  # noqa: E402
+from waft import ending, failures, processes, reading, texts  # noqa: E402
 from waft.display import STOPS, display, start  # noqa: E402
 
 GRACE = 0.5  # s from a stop until a child that has nothing to write is ended
@@ -168,7 +168,7 @@ def main(arguments):
         watching.keep_stops()
         return cli.main(arguments)
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS | {signal.SIGCHLD})
-    return cli.carry_out(options, arguments, lambda _: watch_with_display(arguments))
+    return cli.carry_out(options, arguments, lambda options: watch_with_display(options, arguments))
 
 
 def work_for_first(launched, arguments):
@@ -184,8 +184,10 @@ def work_for_first(launched, arguments):
     return failures.ALL_MET
 
 
-def watch_with_display(arguments):
-    """The same with a display, where one is needed."""
+def watch_with_display(options, arguments):
+    """The same with a display, where one is needed, and a scene, which may be a descriptor that the child does not get."""
+    if options.command in ("check", "synthesize"):
+        reading.check_scene_file(options.scene)
     if arguments[:1] not in (["demo"], ["render"]) or os.environ.get("DISPLAY"):
         return watch(arguments)
     with display() as is_there:

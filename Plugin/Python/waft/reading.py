@@ -48,6 +48,19 @@ def open_file(path, what="a file", folder=None, shown=None):
     return descriptor
 
 
+def check_scene_file(path, lack="no such scene file"):
+    """Raises BadInput where a path is none of a regular file; lack: what is said where nothing is there. `-` is what other programs call
+    their input, which is no file that others could be beside."""
+    try:
+        found = kind_of(os.stat(path))
+    except (OSError, ValueError) as error:
+        if str(path) != "-":
+            raise BadInput(f"{path}: {lack}") from error
+        found = "a pipe"
+    if found:
+        raise BadInput(f"{path}: expected a regular file, found {found}")
+
+
 def open_stream(path, what="a file"):
     """A binary stream of a regular file, for one that is read piece by piece."""
     return open(open_file(path, what), "rb")

@@ -4,6 +4,7 @@ import os
 import time
 
 from waft import failures
+from waft.reading import check_scene_file
 from waft.scene import Scene
 from waft.texts import say
 from waft.watching import interruptible
@@ -14,8 +15,7 @@ POLL = 0.25  # s between two looks at the files
 def fly_when_saved(scene, fly):
     """Calls fly(), a status, now and after each change of the scene file or a file that it names, until it is stopped; a scene that
     is malformed is reported, and waited for. Returns the status of the last flight that came to its end."""
-    if not os.path.isfile(scene):
-        raise failures.BadInput(f"{scene}: no such scene file")
+    check_scene_file(scene)
     look = Look(scene)
     while True:
         seen = look()

@@ -11,6 +11,7 @@ from waft import failures
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
 from waft.processes import is_team, share
+from waft.reading import check_scene_file
 from waft.results._records import REPORT, record_of
 from waft.results.store import Store
 from waft.results.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
@@ -67,8 +68,7 @@ def _fly(request, scene_folder=None):
     from waft.run.result import Result
 
     scene, output, quality = request.scene, request.output, request.way
-    if not os.path.isfile(scene):
-        raise failures.BadInput(f"{scene}: no such scene file")
+    check_scene_file(scene)
     set_threads(request.threads)
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None

@@ -22,7 +22,7 @@ from waft import failures, loading
 from waft.beneath import Folder
 from waft.failures import BadInput, Interrupted, WaftError
 from waft.files import write_text
-from waft.reading import json_of
+from waft.reading import check_scene_file, json_of
 from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.results._records import FLOWN, MEASURED, TAKES, checked, record_of
 from waft.run._chain import word_in_keys
@@ -104,6 +104,7 @@ class _Flight:
 
     def __init__(self, scene, folder, quality, threads, database):
         content = hashlib.sha256(f"{loading.version()} {word_in_keys(quality)}".encode())
+        check_scene_file(scene)
         self._scene = Scene.load(scene)
         self._name = os.path.basename(scene)
         if database and not os.path.isfile(database):

@@ -2,7 +2,6 @@
 """What of a scene cannot be, and what will be hard, before anything is flown: `waft check`."""
 import collections
 import dataclasses
-import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -10,8 +9,8 @@ from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
-from waft.failures import BadInput
 from waft.loading import load_plugin
+from waft.reading import check_scene_file
 from waft.results.writing import read_rows
 from waft.run.pipeline import Pipeline
 from waft.scene._kinds import POSITION, POSITIONAL, REST
@@ -58,8 +57,7 @@ class Looked:
 
     def __init__(self, scene, database=None):
         load_plugin()
-        if not os.path.isfile(scene):
-            raise BadInput(f"{scene}: no such scene file")
+        check_scene_file(scene)
         pipeline = Pipeline(scene, database)
         try:
             with Clock(quiet=True) as clock:

@@ -4,15 +4,14 @@ import collections
 import json
 import os
 
-from waft.failures import BadInput
+from waft.reading import check_scene_file
 from waft.scene import _schema
 from waft.scene.builder import Scene
 
 
 def describe_scene(path):
     """The document on a scene file. Raises BadInput where it is none."""
-    if not os.path.lexists(path):
-        raise BadInput(f"{path}: no such folder of results, and no such scene file")
+    check_scene_file(path, "no such folder of results, and no such scene file")
     scene = Scene.load(path)
     said = scene.as_dict()
     rate = said.get("time", {}).get("framesPerSecond", _default("time", "framesPerSecond"))
