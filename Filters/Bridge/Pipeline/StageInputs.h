@@ -2,9 +2,9 @@
 // What the input ports of a stage take, said once a stage: a table of StageInput, which
 // FillInputPortInformation and GuardedRequest are given.
 //
-// To VTK every port takes any data object, or none. Where a port said another type, VTK's executive would
-// run the stage once for each block of composite data, with the outputs put side by side, and ends
-// the process when the stage pulls its inputs over time. So a type is looked at here, by the
+// To VTK every port takes any data object, or none. Where a port said another type, VTK's executive
+// would run the stage once for each block of composite data, with the outputs put side by side, and
+// ends the process when the stage pulls its inputs over time. So a type is looked at here, by the
 // input's name, and a stage is handed what its port takes whether that came by itself or in blocks;
 // one that is needed and not there is told by its name as well.
 #pragma once
