@@ -6,6 +6,7 @@
 """
 import os
 import pathlib
+import pty
 import re
 import subprocess
 import sys
@@ -22,6 +23,13 @@ from waft.run._chain import word_in_keys  # noqa: E402
 OWN = {"packages", "build", "test", "package"}  # of the script alone
 
 
+def _read(terminal):
+    try:
+        return terminal.read1()
+    except OSError:  # nobody holds its other end any more
+        return b""
+
+
 class Listed(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -34,9 +42,10 @@ class Listed(unittest.TestCase):
             (self.folder / name).write_text(f"#!/bin/sh\n{words}\n", encoding="utf-8")
             (self.folder / name).chmod(0o755)
 
-    def script(self, *arguments):
+    def script(self, *arguments, stderr=subprocess.PIPE):
         environment = {**os.environ, "WAFT_BUILD_DIR": str(self.folder), "PATH": f"{self.folder}:{os.environ['PATH']}"}
-        return subprocess.run([SOURCE / "waft", *arguments], capture_output=True, text=True, check=False, env=environment)
+        return subprocess.run([SOURCE / "waft", *arguments], stdout=subprocess.PIPE, stderr=stderr, text=True, check=False,
+                              env=environment)
 
     def test_every_command_is_known_to_all(self):
         usage = self.script("--help").stdout
@@ -58,6 +67,21 @@ class Listed(unittest.TestCase):
                 self.assertIn(f"\n        {name}) words=", bash)
                 self.assertIn(f"\n  '{name}:", zsh)
                 self.assertIn(f"\n    {name}) _arguments ", zsh)
+
+    def test_a_build_says_how_far_it_is(self):
+        steps = "echo $*; for step in 1 2 3 4; do echo \"[$step/4] Building\"; done"
+        (self.folder / "ninja").write_text(f"#!/bin/sh\n{steps}\n", encoding="utf-8")
+        logged = self.script("build").stderr.splitlines()
+        self.assertEqual(["waft: [1/4]", "waft: [2/4]", "waft: [3/4]", "waft: [4/4]"], [line for line in logged if "/4]" in line])
+        self.assertNotIn("WaftTests", (self.folder / "build.log").read_text(encoding="utf-8"), "tests are for who tests")
+        self.script("test")
+        self.assertIn("all WaftTests", (self.folder / "build.log").read_text(encoding="utf-8"))
+        ours, terminal = pty.openpty()
+        with os.fdopen(ours, "rb") as shown:
+            self.script("build", stderr=terminal)
+            os.close(terminal)
+            text = b"".join(iter(lambda: _read(shown), b"")).decode()
+        self.assertIn("\rwaft: [1/4]\x1b[K\rwaft: [2/4]\x1b[K", text, "one line that rewrites itself")
 
     def test_a_quality_is_named_by_what_it_was_called_before_as_well(self):
         main = cli.parser()
