@@ -25,10 +25,13 @@ vtkStandardNewMacro(vtkShapeKeyframeSource);
 namespace
 {
 
+constexpr int NumberToLookAt = 48; // of targets, before there are objects
+
 /// Places and classes of the targets of one shape.
 struct Drawing
 {
   const waft::KeyframeOptions& Options;
+  std::size_t Count;
   std::vector<waft::Vec3> Positions;
   std::vector<int> Classes;
   std::string Remark; // what is odd about the picture
@@ -40,7 +43,6 @@ private:
   waft::Result DrawText();
   waft::Result DrawImage();
   waft::Result DrawSurface(vtkDataObject* data);
-  std::size_t Count() const { return static_cast<std::size_t>(this->Options.NumberOfTargets); }
 };
 
 waft::Result Drawing::DrawMask(const waft::TargetMask& mask)
@@ -52,7 +54,7 @@ waft::Result Drawing::DrawMask(const waft::TargetMask& mask)
     return waft::Result::Error("U and V: expected directions that are not parallel");
   }
   std::vector<waft::PlaneTarget> targets;
-  WAFT_RETURN_IF_FAILED(waft::SampleMask(mask, this->Count(), {}, this->Options.Seed, 0, targets));
+  WAFT_RETURN_IF_FAILED(waft::SampleMask(mask, this->Count, {}, this->Options.Seed, 0, targets));
   for (const waft::PlaneTarget& target : targets)
   {
     this->Positions.push_back(this->Options.Origin +
@@ -76,7 +78,7 @@ waft::Result Drawing::DrawText()
   {
     return waft::Result::Error("Text: " + drawn.Message());
   }
-  const double distance = waft::TargetDistance(waft::MaskFromPicture(picture, {}), this->Count());
+  const double distance = waft::TargetDistance(waft::MaskFromPicture(picture, {}), this->Count);
   return this->DrawMask(waft::MaskFromPicture(waft::SpreadLetters(picture, distance), {}));
 }
 
@@ -115,7 +117,7 @@ waft::Result Drawing::DrawSurface(vtkDataObject* data)
   waft::TriangleMesh mesh;
   WAFT_RETURN_IF_FAILED(waft::MeshFromPolyData(input, "Input", mesh));
   WAFT_RETURN_IF_FAILED(
-    waft::SampleSurface(mesh, this->Count(), this->Options.Seed, 0, this->Positions));
+    waft::SampleSurface(mesh, this->Count, this->Options.Seed, 0, this->Positions));
   this->Classes.assign(this->Positions.size(), -1);
   return waft::Result::Ok();
 }
@@ -162,13 +164,24 @@ using waft::StageInput;
 
 const waft::StageInputs InputsOfKeyframes = {
   { "Input", StageInput::Type::Anything, StageInput::Number::Optional },
+  { "Objects", StageInput::Type::Merged, StageInput::Number::Optional },
 };
+
+/// As many as were asked for, or as there are objects.
+std::size_t CountOf(const waft::KeyframeOptions& options, vtkPolyData* objects)
+{
+  const vtkIdType found = objects != nullptr ? objects->GetNumberOfPoints() : 0;
+  return static_cast<std::size_t>(options.NumberOfTargets > 0 ? options.NumberOfTargets
+                                  : found > 0                 ? found
+                                                              : NumberToLookAt);
+}
 
 } // namespace
 
 vtkShapeKeyframeSource::vtkShapeKeyframeSource()
 {
   waft::TakeDefaults<waft::KeyframeOptions>(*this);
+  this->SetNumberOfInputPorts(OBJECTS_PORT + 1);
 }
 
 double vtkShapeKeyframeSource::InRange(const char* property, double value)
@@ -243,8 +256,9 @@ int vtkShapeKeyframeSource::RequestData(vtkInformation*, vtkInformationVector** 
                       "expected a Frame of at most " + std::to_string(last) +
                         ", the last of NumberOfFrames");
   }
-  Drawing drawing{ options, {}, {}, {} };
-  if (waft::Result drawn = drawing.Draw(vtkDataObject::GetData(inputs[0])); !drawn)
+  const std::size_t count = CountOf(options, vtkPolyData::GetData(inputs[OBJECTS_PORT]));
+  Drawing drawing{ options, count, {}, {}, {} };
+  if (waft::Result drawn = drawing.Draw(vtkDataObject::GetData(inputs[INPUT_PORT])); !drawn)
   {
     return waft::Fail(this, outputs, drawn.Message());
   }

@@ -4,6 +4,8 @@
  * @brief   targets that draw a text, a picture or a surface, as one keyframe
  *
  * Input port 0, Input (vtkPolyData, optional): the surface of the shape SURFACE.
+ * Input port 1, Objects (vtkPolyData, optional): of them there are as many targets where
+ * NumberOfTargets is 0; without them 48.
  * Output port 0, Constraints (vtkPolyData): NumberOfTargets rows for any object (`ObjectId` -1) at
  * Frame, of one `Group`, so that they go to distinct objects: rests on the first surface straight
  * below, or positions. With ClassColors the targets of a picture have the `ClassId` of the nearest
@@ -73,6 +75,14 @@ public:
   WaftVector(double, Bounds, 6);
   WaftProperty(int, NumberOfFrames);
   WaftOpenProperty(double, FramesPerSecond);
+
+  enum Ports
+  {
+    INPUT_PORT,
+    OBJECTS_PORT
+  };
+  /// Takes the input away.
+  void RemoveAllObjects() { this->SetInputConnection(OBJECTS_PORT, nullptr); }
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;

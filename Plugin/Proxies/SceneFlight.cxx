@@ -49,6 +49,7 @@ public:
     }
     this->FindStages();
     this->GiveBodies();
+    this->GiveObjects();
     for (const char* output : TraitsOf(ChainStage::Scene).Outputs)
     {
       this->Gather(output);
@@ -174,6 +175,22 @@ private:
     vtkSMPropertyHelper number(objects, "ShapeId");
     number.Set(number.GetAsInt() + static_cast<int>(before));
     objects->UpdateVTKObjects();
+  }
+
+  /// Sources of marks that can be as many as the objects hear of all of them.
+  void GiveObjects()
+  {
+    this->Gather("Objects");
+    for (const SourcePort& marks : this->Sources.All("Constraints"))
+    {
+      if (marks.Source->GetProperty("Objects") != nullptr)
+      {
+        SM_SCOPED_TRACE(PropertiesModified).arg("proxy", marks.Source);
+        const SourcePort& objects = this->Scene["Objects"];
+        vtkSMPropertyHelper(marks.Source, "Objects").Set(objects.Source, objects.Index);
+        marks.Source->UpdateVTKObjects();
+      }
+    }
   }
 
   void Gather(const char* output)
@@ -303,7 +320,39 @@ private:
   SceneFlight Flight;
 };
 
+/// What stages take of a scene: the last of them that have the input from none of their own.
+std::vector<SourcePort> TakenOfScene(vtkSMProxy* stage, const char* input)
+{
+  const auto isStage = [](const SourcePort& port)
+  { return port.Source->GetProperty("WorkInSlices") != nullptr; };
+  const std::vector<SourcePort> taken = JoinedTo(stage, input);
+  if (!taken.empty() && !isStage(taken.front()))
+  {
+    return taken;
+  }
+  const std::vector<SourcePort> before = JoinedTo(stage, "Tracks");
+  return before.empty() ? before : TakenOfScene(before.front().Source, input);
+}
+
 } // namespace
+
+bool SaveFlownScene(vtkSMSourceProxy* bodies, const std::string& file)
+{
+  const auto proxy = vtkSmartPointer<vtkSMProxy>::Take(
+    bodies->GetSessionProxyManager()->NewProxy("filters", "MotionSceneWriter"));
+  auto* writer = vtkSMSourceProxy::SafeDownCast(proxy);
+  for (const char* output : TraitsOf(ChainStage::Scene).Outputs)
+  {
+    for (const SourcePort& port : TakenOfScene(bodies, output))
+    {
+      vtkSMPropertyHelper(writer, output).Set(port.Source, port.Index);
+    }
+  }
+  vtkSMPropertyHelper(writer, "FileName").Set(file.c_str());
+  writer->UpdateVTKObjects();
+  writer->UpdatePipeline();
+  return writer->GetDataInformation(0)->GetNumberOfPoints() > 0; // none where it fails
+}
 
 SceneFlight FlyScene(vtkSMSessionProxyManager* session, int quality, bool isChosen)
 {

@@ -31,6 +31,10 @@ struct SceneFlight
 VTKWAFTPROXIES_EXPORT SceneFlight FlyScene(vtkSMSessionProxyManager* session, int quality,
                                            bool isChosen);
 
+/// Writes the scene that stages fly, of which `bodies` is the last, as a scene file. False where it
+/// could not be written, which was said.
+VTKWAFTPROXIES_EXPORT bool SaveFlownScene(vtkSMSourceProxy* bodies, const std::string& file);
+
 } // namespace waft
 
 #endif

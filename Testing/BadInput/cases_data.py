@@ -31,7 +31,7 @@ STAGES = {
     "vtkVDBWriter": ("flow",),
     "vtkMotionSceneFileWriter": ("scene",),
     "vtkObjectSource": (None, "shapes"),
-    "vtkShapeKeyframeSource": ("obstacles",),
+    "vtkShapeKeyframeSource": ("obstacles", "objects"),
 }
 # What is damaged beside being put into blocks; the others take the same data by the same functions.
 DAMAGED = [stage for stage in STAGES if stage not in ("vtkMotionSceneFileWriter", "vtkObjectSource", "vtkShapeKeyframeSource")]

@@ -6,6 +6,7 @@
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
 
+#include <vtkObjectSource.h>
 #include <vtkPolyData.h>
 #include <vtkShapeKeyframeSource.h>
 
@@ -61,6 +62,25 @@ TEST(ShapeKeyframeSource, DrawsATextThatLiesOnTheGround)
   {
     EXPECT_FALSE(row.Value.x() > 0.6 && row.Value.y() > 0.2);
   }
+}
+
+TEST(ShapeKeyframeSource, HasAsManyTargetsAsThereAreObjects)
+{
+  vtkNew<vtkShapeKeyframeSource> source;
+  source->Update();
+  EXPECT_EQ(Rows(source).size(), 48u);
+  vtkNew<vtkObjectSource> objects;
+  objects->SetLayout(vtkObjectSource::ROW);
+  objects->SetNumberOfObjects(5);
+  source->SetInputConnection(vtkShapeKeyframeSource::OBJECTS_PORT, objects->GetOutputPort());
+  source->Update();
+  EXPECT_EQ(Rows(source).size(), 5u);
+  objects->SetNumberOfObjects(7);
+  source->Update();
+  EXPECT_EQ(Rows(source).size(), 7u);
+  source->SetNumberOfTargets(3);
+  source->Update();
+  EXPECT_EQ(Rows(source).size(), 3u);
 }
 
 TEST(ShapeKeyframeSource, DrawsASurfaceWhereItStands)

@@ -29,7 +29,7 @@ struct KeyframeOptions
   std::string Font = "sans";
   std::string ImageFile;
   std::vector<std::array<double, 3>> ClassColors;
-  int NumberOfTargets = 48;
+  int NumberOfTargets = 0;
   int Frame = 250;
   bool Rest = true;
   int Until = -1;
@@ -66,8 +66,11 @@ struct KeyframeOptions
                        "Colours (red, green, blue from 0 to 1) of the classes of a picture: a "
                        "target takes the class of the nearest, its index in this list." },
           of.ClassColors...);
-    visit(OptionField{ "NumberOfTargets", limits::Count, "",
-                       "Targets; there must be as many objects." },
+    visit(OptionField{ "NumberOfTargets",
+                       { 0, limits::Count.High },
+                       "",
+                       "Targets, of which no object has more than one; 0: as many as there are "
+                       "Objects, and 48 as long as none are joined." },
           of.NumberOfTargets...);
     visit(OptionField{ "Frame", limits::UpTo(limits::MostInt), "",
                        "Frame at which the objects are there." },
