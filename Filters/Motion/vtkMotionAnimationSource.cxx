@@ -20,6 +20,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTimeStamp.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -33,6 +34,7 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   waft::MotionDatabase Database; // stays in its place, where the memory's tools look for it
   bool HasDatabase = false;
   waft::ChainMemory Memory;
+  std::size_t UntakenByAir = 0; // what was warned of when it was drawn
 
   explicit Internals(vtkMotionAnimationSource* self) :
     MotionOutputs(self, waft::ColorsOfPoints), Self(self)
@@ -45,6 +47,19 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   const waft::Scene& Read() const override { return this->File.Parts(); }
   waft::ChainOptions Options() const;
   bool Wants(waft::ChainStage stage) const override;
+  /// The air was drawn for another scene.
+  bool IsEdit() const
+  {
+    const std::vector<waft::AssimilationRound>& rounds = this->Made.Air.Rounds;
+    const auto last = std::find_if(rounds.rbegin(), rounds.rend(),
+                                   [](const waft::AssimilationRound& round)
+                                   { return round.Stage == "draw" || round.Stage == "edit"; });
+    return last != rounds.rend() && last->Stage == "edit";
+  }
+  bool WantsNewAir() const
+  {
+    return this->IsEdit() && this->Made.Air.Warnings.size() > this->UntakenByAir;
+  }
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
   void Clear() override;
@@ -106,6 +121,7 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
                    waft::SmpFor(), monitor, this->Made, &this->Memory);
   this->Rejoin();
   WAFT_RETURN_IF_FAILED(result);
+  this->UntakenByAir = this->IsEdit() ? this->UntakenByAir : this->Made.Air.Warnings.size();
   for (const auto& [stage, seconds] : this->Made.Seconds) // what was kept has warned already
   {
     const std::vector<std::string>& warnings = this->Made.Warnings[stage];
@@ -173,6 +189,21 @@ void vtkMotionAnimationSource::SaveScene()
     return;
   }
   this->Edits.clear(); // the scene is the one that it was
+}
+
+bool vtkMotionAnimationSource::SaveSceneAs(const std::string& name)
+{
+  const waft::Result result = this->Impl->File.SaveAs(name, waft::VtkSceneAssets());
+  if (!result)
+  {
+    vtkErrorMacro(<< result.Message());
+  }
+  return static_cast<bool>(result);
+}
+
+int vtkMotionAnimationSource::GetWantsNewAir() const
+{
+  return this->Impl->WantsNewAir() ? 1 : 0;
 }
 
 int vtkMotionAnimationSource::GetSceneSeed() const

@@ -86,6 +86,12 @@ public:
    * then. A file that is not the one that was read any more is left as it is: an error says so.
    */
   void SaveScene();
+  /** Writes the scene with the edits to another file; the source stays with its own. False where it
+   * could not, and an error says why. */
+  bool SaveSceneAs(const std::string& name);
+  /** 1 when the scene was edited and flew on in the air that there was, which leaves more bodies
+   * short of their marks than when it was drawn: LetGo has the next update draw another. */
+  int GetWantsNewAir() const;
   WaftOpenProperty(int, Quality);
   WaftProperty(int, Seed);
   WaftOpenProperty(int, StopAfter);

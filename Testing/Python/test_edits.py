@@ -68,6 +68,14 @@ class EditTest(unittest.TestCase):
         for axis, wanted in enumerate((0.3, 0.2, 1.6)):
             self.assertAlmostEqual(places[1][axis], wanted, delta=0.021)
         self.assertEqual(self.file.read_text(encoding="utf-8"), SCENE, "not saved yet")
+        source = self.animation.GetClientSideObject()
+        self.assertEqual(source.GetWantsNewAir(), 1, "that air does not go there")
+        self.animation.SMProxy.InvokeCommand("LetGo")
+        self.animation.SMProxy.MarkModified(self.animation.SMProxy)
+        again, places = bodies(self.animation)
+        self.assertEqual(source.GetWantsNewAir(), 0, "it was drawn for this scene")
+        self.assertNotEqual(again[0], before[0], "another air takes the others elsewhere")
+        self.assertLess(max(abs(own - wanted) for own, wanted in zip(places[1], (0.3, 0.2, 1.6))), 0.021)
 
     def test_a_start_and_a_new_mark_do_as_well(self):
         before, _ = bodies(self.animation)
@@ -118,6 +126,12 @@ class EditTest(unittest.TestCase):
         self.assertEqual(self.file.read_text(encoding="utf-8"), SCENE.replace("[0.1, 0.1, 1.90]", "[0.3, 0.2, 1.6]"))
         again, _ = self.edit()
         self.assertEqual(again, after, "nothing is flown again")
+        source, other = self.animation.GetClientSideObject(), self.file.with_name("other.waft.json")
+        self.edit(replace("/constraints/1/value", [0.3, 0.2, 1.7]))
+        self.assertFalse(source.SaveSceneAs(str(self.file.with_name("no folder") / "s.waft.json")))
+        self.assertTrue(source.SaveSceneAs(str(other)))
+        self.assertEqual(other.read_text(encoding="utf-8"), SCENE.replace("[0.1, 0.1, 1.90]", "[0.3, 0.2, 1.7]"))
+        self.assertEqual(self.file.read_text(encoding="utf-8"), SCENE.replace("[0.1, 0.1, 1.90]", "[0.3, 0.2, 1.6]"))
 
     def test_a_file_that_was_changed_since_is_not_written_over(self):
         self.edit(replace("/constraints/1/value", [0.3, 0.2, 1.6]))

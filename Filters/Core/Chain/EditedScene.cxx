@@ -22,13 +22,33 @@ void EditedScene::Read(const std::string& file, const std::string& edits, const 
   this->Fault = result.Message();
 }
 
+Result EditedScene::CheckText() const
+{
+  return this->Edited.empty() || !this->Fault.empty()
+           ? Result::Error(this->File + ": expected a scene that could be read, found none: not "
+                                        "saved")
+           : Result::Ok();
+}
+
+Result EditedScene::SaveAs(const std::string& file, const SceneAssets& assets) const
+{
+  WAFT_RETURN_IF_FAILED(this->CheckText());
+  Scene there;
+  SceneWind blowing;
+  const Result read = ParseSceneAndWind(this->Edited, file, assets, there, blowing);
+  if (!read || there.Warnings.size() > this->Whole.Warnings.size())
+  {
+    return Result::Error((read ? there.Warnings.back() : read.Message()) +
+                         ": not saved: what a scene names by a relative path lies beside it, so "
+                         "save it in the folder of " +
+                         this->File);
+  }
+  return WriteWholeFile(file, this->Edited);
+}
+
 Result EditedScene::Save()
 {
-  if (this->Edited.empty() || !this->Fault.empty())
-  {
-    return Result::Error(this->File + ": expected a scene that could be read, found none: not "
-                                      "saved");
-  }
+  WAFT_RETURN_IF_FAILED(this->CheckText());
   std::string now;
   WAFT_RETURN_IF_FAILED(ReadSceneText(this->File, now));
   if (now != this->Text)

@@ -21,6 +21,9 @@ public:
   /// Writes the text with the edits over the file, whole or not at all. Fails, and leaves the file
   /// alone, where nothing could be read last, and where the file is another one since.
   Result Save();
+  /// Writes the text with the edits to another file, whole or not at all; the scene stays that of
+  /// its own. Fails where it could not be read there, as a scene that names files beside it.
+  Result SaveAs(const std::string& file, const SceneAssets& assets) const;
 
   const Scene& Parts() const { return this->Whole; }
   const SceneWind& Wind() const { return this->Blowing; }
@@ -30,6 +33,8 @@ public:
   std::string Handles() const;
 
 private:
+  Result CheckText() const;
+
   Scene Whole;
   SceneWind Blowing;
   std::string File;
