@@ -2,7 +2,10 @@
 #include "WaftActive.h"
 
 #include <pqPipelineSource.h>
+#include <pqView.h>
 
+#include <vtkCommand.h>
+#include <vtkEventQtSlotConnect.h>
 #include <vtkSMOutputPort.h>
 #include <vtkSMProxyManager.h>
 #include <vtkSMProxySelectionModel.h>
@@ -39,3 +42,29 @@ void Activate(pqPipelineSource* source)
 }
 
 } // namespace waft
+
+WaftActive::WaftActive(QObject* parent) : QObject(parent)
+{
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  this->connect(model, &pqServerManagerModel::sourceAdded, this, &WaftActive::Listen);
+  this->connect(model, &pqServerManagerModel::viewAdded, this, &WaftActive::Listen);
+  this->Listen();
+}
+
+WaftActive::~WaftActive() = default;
+
+void WaftActive::Listen()
+{
+  vtkSMProxySelectionModel* sources = waft::ChoiceOf("ActiveSources");
+  vtkSMProxySelectionModel* views = waft::ChoiceOf("ActiveView");
+  if (sources != nullptr && views != nullptr && sources != this->Chosen)
+  {
+    this->Choices->Disconnect();
+    for (vtkSMProxySelectionModel* one : { sources, views })
+    {
+      this->Choices->Connect(one, vtkCommand::CurrentChangedEvent, this, SIGNAL(changed()), nullptr,
+                             0.0, Qt::QueuedConnection);
+    }
+    this->Chosen = sources;
+  }
+}

@@ -3,12 +3,39 @@
 // install.
 #pragma once
 
+#include <QObject>
+
 #include <pqApplicationCore.h>
 #include <pqServerManagerModel.h>
 
+#include <vtkNew.h>
+#include <vtkWeakPointer.h>
+
 class pqPipelineSource;
+class vtkEventQtSlotConnect;
+class vtkObject;
 class vtkSMProxy;
 class vtkSMProxySelectionModel;
+
+/// Says when another source or view is active.
+class WaftActive : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit WaftActive(QObject* parent);
+  ~WaftActive() override;
+
+Q_SIGNALS:
+  void changed();
+
+private:
+  /// A session has lists of its own, from its first source or view on.
+  void Listen();
+
+  vtkNew<vtkEventQtSlotConnect> Choices;
+  vtkWeakPointer<vtkObject> Chosen; // that Choices hear of
+};
 
 namespace waft
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaftCamera.h"
 
+#include "WaftActive.h"
 #include "WaftFrame.h"
 
 #include <pqApplicationCore.h>
@@ -8,12 +9,15 @@
 #include <pqPipelineSource.h>
 #include <pqRenderView.h>
 #include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
 
 #include <vtkCamera.h>
 #include <vtkSMProxy.h>
 #include <vtkSMRenderViewProxy.h>
 
+#include <QAction>
 #include <QTimer>
+#include <QWidget>
 
 #include <algorithm>
 #include <vector>
@@ -38,8 +42,9 @@ std::vector<pqDataRepresentation*> ShownIn(pqRenderView* view)
 
 } // namespace
 
-WaftCamera::WaftCamera(QObject* parent) : QObject(parent)
+WaftCamera::WaftCamera(QWidget* bar) : QObject(bar), Bar(bar)
 {
+  QTimer::singleShot(0, this, &WaftCamera::WatchActions); // once the window is there
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
   this->connect(model, &pqServerManagerModel::preSourceRemoved, this,
                 [this](pqPipelineSource* source) { this->Sources.erase(source); });
@@ -57,8 +62,55 @@ void WaftCamera::Follow(pqPipelineSource* source)
                 [this] { QTimer::singleShot(0, this, &WaftCamera::Refresh); });
 }
 
+// ParaView's own slot, which takes in the whole ground, comes before.
+void WaftCamera::WatchActions()
+{
+  for (QAction* action : this->Bar->window()->findChildren<QAction*>())
+  {
+    const QString name = action->objectName();
+    if (name.startsWith("actionResetCamera") || name.startsWith("actionPositive") ||
+        name.startsWith("actionNegative") || name == "actionIsometricView")
+    {
+      this->connect(action, &QAction::triggered, this, &WaftCamera::LeaveOutFloor);
+    }
+  }
+}
+
+void WaftCamera::LeaveOutFloor()
+{
+  auto* view = qobject_cast<pqRenderView*>(waft::ActiveOf<pqView*>("ActiveView"));
+  if (view == nullptr)
+  {
+    return;
+  }
+  const std::vector<pqDataRepresentation*> shown = ShownIn(view);
+  if (std::any_of(shown.begin(), shown.end(), waft::IsMotion) && waft::Reset(view, shown))
+  {
+    view->render();
+  }
+}
+
+void WaftCamera::Settle()
+{
+  for (auto& [view, place] : this->Framed)
+  {
+    place = Place{};
+  }
+}
+
+void WaftCamera::FrameFlight()
+{
+  SCOPED_UNDO_EXCLUDE();
+  auto* view = qobject_cast<pqRenderView*>(waft::ActiveOf<pqView*>("ActiveView"));
+  if (view != nullptr && waft::Frame(view, ShownIn(view)))
+  {
+    view->render();
+  }
+}
+
 void WaftCamera::Refresh()
 {
+  SCOPED_UNDO_EXCLUDE();
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqRenderView* view : model->findItems<pqRenderView*>())
   {

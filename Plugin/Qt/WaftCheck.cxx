@@ -11,6 +11,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QPointer>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStringList>
@@ -99,15 +100,15 @@ void WaftCheck::LookAt(pqPipelineSource* source)
   if (this->Seen[source] != version)
   {
     this->Seen[source] = version;
-    this->Run(file);
+    this->Run(source, file);
   }
 }
 
-void WaftCheck::Run(const QString& file)
+void WaftCheck::Run(pqPipelineSource* source, const QString& file)
 {
   auto* check = new QProcess(this);
   this->connect(check, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
-                [this, check, file]
+                [this, check, file, checked = QPointer<pqPipelineSource>(source)]
                 {
                   const QStringList findings =
                     FindingsOf(QString::fromUtf8(check->readAllStandardOutput()), file);
@@ -115,7 +116,10 @@ void WaftCheck::Run(const QString& file)
                   {
                     std::cerr << "waft: " << finding.toStdString() << "\n";
                   }
-                  Q_EMIT this->found(file, findings);
+                  if (checked)
+                  {
+                    Q_EMIT this->found(checked, findings);
+                  }
                   check->deleteLater();
                 });
   check->start(this->Command, { "check", file });

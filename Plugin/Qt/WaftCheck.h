@@ -26,13 +26,13 @@ public:
   void LookAt(pqPipelineSource* source);
 
 Q_SIGNALS:
-  /// Of a file, a sentence each, the first of which sums up; none where all is well.
-  void found(const QString& file, const QStringList& findings);
+  /// Of a source's file, a sentence each, the first of which sums up; none where all is well.
+  void found(pqPipelineSource* source, const QStringList& findings);
 
 private:
   using Version = std::pair<QString, QDateTime>; // of a file
 
-  void Run(const QString& file);
+  void Run(pqPipelineSource* source, const QString& file);
 
   QString Command; // empty: this is no whole installation of Waft
   std::map<pqPipelineSource*, Version> Seen;

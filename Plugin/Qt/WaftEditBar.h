@@ -7,7 +7,8 @@ class QAction;
 class QSpinBox;
 class WaftEditor;
 
-/// Turns the handles of a scene on, sets and removes marks, and saves the scene.
+/// Turns the handles of a scene on, sets and removes marks, and saves the scene, or that of a
+/// flight whose stages were joined by hand.
 class WaftEditBar : public QToolBar
 {
   Q_OBJECT
@@ -21,11 +22,14 @@ private:
   void MoveDown();
   void Show();
   void Save();
+  void SaveAs();
+  void Saved(const QString& file);
 
   WaftEditor* Editor;
   QAction* Edit;
   QAction* Mark;
   QAction* Remove;
   QAction* SaveScene;
+  QAction* SaveSceneAs;
   QSpinBox* Body;
 };

@@ -22,7 +22,6 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkSMPropertyHelper.h>
-#include <vtkSMProxySelectionModel.h>
 #include <vtkSMRenderViewProxy.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -76,6 +75,7 @@ WaftEditor::WaftEditor(QObject* parent) : QObject(parent)
                     this->Refresh();
                   }
                 });
+  this->connect(new WaftActive(this), &WaftActive::changed, this, &WaftEditor::Refresh);
   pqApplicationCore* core = pqApplicationCore::instance();
   this->connect(core, &pqApplicationCore::undoStackChanged, this, &WaftEditor::FollowSteps);
   this->FollowSteps(core->getUndoStack());
@@ -99,7 +99,6 @@ void WaftEditor::SetOn(bool isOn)
 
 void WaftEditor::Refresh()
 {
-  this->FollowActive();
   auto* view = qobject_cast<pqRenderView*>(waft::ActiveOf<pqView*>("ActiveView"));
   auto* source = waft::ActiveOf<pqPipelineSource*>("ActiveSources");
   if (source != nullptr && !waft::HasHandles(source->getProxy()))
@@ -123,10 +122,12 @@ void WaftEditor::Refresh()
       this->Leave();
       this->Enter(view);
     }
+    const std::size_t before = this->Handles.All.size();
     this->Handles = waft::HandlesOf(source->getProxy());
-    const int count = static_cast<int>(this->Handles.All.size());
-    this->Touched = this->Touched < count ? this->Touched : -1;
-    this->Hovered = this->Hovered < count ? this->Hovered : -1;
+    if (this->Handles.All.size() != before)
+    {
+      this->Touched = this->Hovered = -1; // those after it have other numbers
+    }
     this->IsDragging = this->IsDragging && this->Touched >= 0;
     this->Fill();
   }
@@ -150,22 +151,6 @@ void WaftEditor::FollowSteps(pqUndoStack* steps)
                       this->Edits->renderAllViews();
                     }
                   });
-  }
-}
-
-void WaftEditor::FollowActive()
-{
-  vtkSMProxySelectionModel* sources = waft::ChoiceOf("ActiveSources");
-  vtkSMProxySelectionModel* views = waft::ChoiceOf("ActiveView");
-  if (sources != nullptr && views != nullptr && sources != this->Chosen)
-  {
-    this->Choices->Disconnect();
-    for (vtkSMProxySelectionModel* one : { sources, views })
-    {
-      this->Choices->Connect(one, vtkCommand::CurrentChangedEvent, this, SLOT(Refresh()), nullptr,
-                             0.0, Qt::QueuedConnection);
-    }
-    this->Chosen = sources;
   }
 }
 
@@ -311,13 +296,20 @@ void WaftEditor::Apply(const QString& step, const QJsonArray& operations)
   source->renderAllViews();
 }
 
+QJsonArray WaftEditor::WithoutTouched() const
+{
+  return this->Touched >= 0
+           ? waft::WithoutMark(this->Handles.All[static_cast<std::size_t>(this->Touched)])
+           : QJsonArray();
+}
+
 void WaftEditor::RemoveMark()
 {
-  if (this->Touched >= 0)
+  const QJsonArray removal = this->WithoutTouched();
+  if (!removal.isEmpty())
   {
-    const waft::Handle handle = this->Handles.All[static_cast<std::size_t>(this->Touched)];
-    this->Touched = -1;
-    this->Apply("Remove " + handle.Text(), waft::WithoutMark(handle));
+    this->Apply("Remove " + this->Handles.All[static_cast<std::size_t>(this->Touched)].Text(),
+                removal);
   }
 }
 
@@ -344,6 +336,9 @@ void WaftEditor::onPress(vtkObject*, unsigned long, void*, void*, vtkCommand* co
                     this->Handles.Max);
     this->Apply(QString("New mark of body %1 at frame %2").arg(this->Body).arg(frame),
                 waft::NewMark(this->Handles, this->Body, frame, place));
+    this->Touched = this->Handles.MarkOf(this->Body, frame);
+    this->Draw();
+    Q_EMIT this->changed();
     Q_EMIT this->placed();
   }
 }

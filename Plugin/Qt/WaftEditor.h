@@ -11,7 +11,6 @@
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
-#include <vtkWeakPointer.h>
 
 class pqUndoStack;
 class vtkActor;
@@ -38,8 +37,9 @@ public:
   void SetBody(int body) { this->Body = body; }
   pqPipelineSource* Source() const { return this->Edits; }
   const waft::SceneHandles& Scene() const { return this->Handles; }
-  /// Takes the mark away that was touched last.
+  /// Takes the mark away that was touched or made last.
   void RemoveMark();
+  bool CanRemoveMark() const { return !this->WithoutTouched().isEmpty(); }
 
 Q_SIGNALS:
   /// What is shown, or what was touched, is another one.
@@ -56,13 +56,13 @@ private Q_SLOTS:
   void onRelease(vtkObject*, unsigned long, void*, void*, vtkCommand* command);
 
 private:
-  void FollowActive();
   void FollowSteps(pqUndoStack* steps);
   void Leave();
   void Enter(pqRenderView* view);
   void Fill();
   void Draw();
   int Nearest() const;
+  QJsonArray WithoutTouched() const;
   vtkRenderer* Renderer() const;
   /// Where the pointer is, as far away as a place.
   vtkVector3d UnderPointer(const vtkVector3d& depth) const;
@@ -72,9 +72,7 @@ private:
   QPointer<pqPipelineSource> Edits;
   QPointer<pqRenderView> View;
   waft::SceneHandles Handles;
-  vtkNew<vtkEventQtSlotConnect> Events;  // of the pointer in the view
-  vtkNew<vtkEventQtSlotConnect> Choices; // which source and view are active
-  vtkWeakPointer<vtkObject> Chosen;      // that Choices hear of
+  vtkNew<vtkEventQtSlotConnect> Events; // of the pointer in the view
   vtkNew<vtkPolyData> Points;
   vtkNew<vtkActor> Actor;
   vtkSmartPointer<vtkRenderer> Layer; // that the actor is in

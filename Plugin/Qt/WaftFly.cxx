@@ -95,6 +95,11 @@ WaftFly::WaftFly(QWidget* bar) :
                         "obstacles, shapes, vortices, wind");
   this->connect(this->Fly, &QAction::triggered, this, &WaftFly::Run);
   this->Choices->addAction(this->Fly);
+  QAction* air = this->Choices->addAction("New air");
+  air->setObjectName("actionNewAir");
+  air->setToolTip("Fly the active Waft Animation as edited in an air that is drawn for it, instead "
+                  "of the one that there is");
+  this->connect(air, &QAction::triggered, this, &WaftFly::newAirWanted);
   this->Choices->addSeparator();
   auto* one = new QActionGroup(this);
   int quality = 0;

@@ -27,6 +27,8 @@ Q_SIGNALS:
   void made(pqPipelineSource* stage);
   /// Why nothing flies.
   void refused(const QString& why);
+  /// The active flight is to be drawn another air.
+  void newAirWanted();
 
 private:
   void Run();

@@ -129,6 +129,18 @@ bool Frame(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown)
   return true;
 }
 
+bool Reset(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown)
+{
+  const vtkBoundingBox box = BoxOf(shown);
+  if (box.IsValid())
+  {
+    double bounds[6];
+    box.GetBounds(bounds);
+    view->getRenderViewProxy()->ResetCamera(bounds);
+  }
+  return box.IsValid();
+}
+
 void SetBackdrop(pqRenderView* view)
 {
   vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();

@@ -18,6 +18,9 @@ bool IsMotion(pqDataRepresentation* shown);
 /// done, where nothing has points.
 bool Frame(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown);
 
+/// The same box, looked at as the camera looks now.
+bool Reset(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown);
+
 /// A soft background in place of the palette's; nothing where a user has chosen one.
 void SetBackdrop(pqRenderView* view);
 

@@ -3,8 +3,11 @@
 
 #include <pqUndoStack.h>
 
+#include <vtkClientServerStream.h>
+#include <vtkPVSession.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
+#include <vtkSMSession.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMTrace.h>
 #include <vtkVersionMacros.h>
@@ -281,6 +284,28 @@ bool SaveEdits(vtkSMProxy* source)
     return false;
   }
   SCOPED_UNDO_EXCLUDE();
+  SetEdits(source, {});
+  return true;
+}
+
+// Not a property: what was saved once is not saved again by a state.
+bool SaveEditsAs(vtkSMProxy* source, const QString& file)
+{
+  const QByteArray name = file.toUtf8();
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(source) << "SaveSceneAs" << name.constData()
+         << vtkClientServerStream::End;
+  vtkSMSession* session = source->GetSession();
+  session->ExecuteStream(vtkPVSession::DATA_SERVER, stream);
+  int isSaved = 0;
+  if (!session->GetLastResult(vtkPVSession::DATA_SERVER).GetArgument(0, 0, &isSaved) ||
+      isSaved == 0)
+  {
+    return false;
+  }
+  SCOPED_UNDO_EXCLUDE();
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", source);
+  vtkSMPropertyHelper(source, "FileName").Set(name.constData());
   SetEdits(source, {});
   return true;
 }

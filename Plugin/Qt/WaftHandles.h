@@ -70,5 +70,7 @@ void AddEdits(vtkSMProxy* source, const QString& step, const QJsonArray& operati
 bool HasEdits(vtkSMProxy* source);
 /// Writes them to the scene file. False where the source could not, which it has said.
 bool SaveEdits(vtkSMProxy* source);
+/// Writes the scene with them to another file, which is the source's from then on.
+bool SaveEditsAs(vtkSMProxy* source, const QString& file);
 
 } // namespace waft

@@ -4,17 +4,37 @@
 #include "WaftStages.h"
 
 #include <pqAnimationManager.h>
-#include <pqAnimationScene.h>
 #include <pqPVApplicationCore.h>
 #include <pqProgressManager.h>
 
-#include <vtkOutputWindow.h>
-#include <vtkSMAnimationScene.h>
-#include <vtkSMProxy.h>
-
 #include <QAction>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTimer>
 #include <QWidget>
+
+namespace
+{
+
+/// What ParaView does on an action, where that is to save more than what is seen.
+QObject* SavesBy(const QAction* action)
+{
+  for (QObject* child : action->children())
+  {
+    for (const char* kind :
+         { "pqSaveAnimationReaction", "pqSaveAnimationGeometryReaction", "pqSaveDataReaction",
+           "pqSaveExtractsReaction", "pqAnimatedExportReaction" })
+    {
+      if (child->inherits(kind))
+      {
+        return child;
+      }
+    }
+  }
+  return nullptr;
+}
+
+} // namespace
 
 WaftHold::WaftHold(QWidget* bar) : QObject(bar), Bar(bar)
 {
@@ -34,44 +54,71 @@ WaftHold::WaftHold(QWidget* bar) : QObject(bar), Bar(bar)
 
 WaftHold::~WaftHold() = default;
 
-void WaftHold::onBegin()
-{
-  this->IsPlaying = true;
-}
-
-// A film or extracts are written by playing, without the cache that Play itself may use.
-void WaftHold::onEnd()
-{
-  this->IsPlaying = false;
-  const pqAnimationScene* active =
-    pqPVApplicationCore::instance()->animationManager()->getActiveScene();
-  auto* scene = active == nullptr
-                  ? nullptr
-                  : vtkSMAnimationScene::SafeDownCast(active->getProxy()->GetClientSideObject());
-  if (scene != nullptr && scene->GetForceDisableCaching())
-  {
-    this->onSaved();
-  }
-}
-
-// ParaView's own slot, which saves, comes before.
+// ParaView's own slots come after the question, if at all.
 void WaftHold::WatchActions()
 {
-  for (const char* name : { "actionFileSaveData", "actionFileSaveGeometry" })
+  for (QAction* action : this->Bar->window()->findChildren<QAction*>())
   {
-    if (auto* action = this->Bar->window()->findChild<QAction*>(name))
+    if (QObject* reaction = SavesBy(action))
     {
-      this->connect(action, &QAction::triggered, this, &WaftHold::onSaved);
+      QObject::disconnect(action, SIGNAL(triggered(bool)), reaction, nullptr);
+      this->connect(action, &QAction::triggered, this,
+                    [this, action, reaction] { this->Save(action, reaction); });
     }
   }
 }
 
-void WaftHold::onSaved()
+void WaftHold::Let(QObject* reaction)
 {
-  if (!waft::UnfinishedStages().empty())
+  QMetaObject::invokeMethod(reaction, "onTriggered", Qt::DirectConnection);
+}
+
+void WaftHold::Save(QAction* action, QObject* reaction)
+{
+  if (waft::UnfinishedStages().empty())
   {
-    vtkOutputWindowDisplayWarningText("Waft: the work is not done: what was saved now shows the "
-                                      "motion so far. Save again when the tool bar Waft says "
-                                      "done.\n");
+    Let(reaction);
+    return;
+  }
+  auto* box = new QMessageBox(QMessageBox::Question, "Waft",
+                              "The flight is not done: what is saved now is the motion so far.",
+                              QMessageBox::Cancel, this->Bar->window());
+  box->setObjectName("WaftSave");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* wait = box->addButton("Wait, then save", QMessageBox::AcceptRole);
+  wait->setObjectName("Wait");
+  box->setDefaultButton(wait);
+  QPushButton* now = box->addButton("Save as it is", QMessageBox::DestructiveRole);
+  now->setObjectName("Now");
+  this->connect(box, &QMessageBox::buttonClicked, this,
+                [this, action, reaction, wait, now](QAbstractButton* clicked)
+                {
+                  if (clicked == now)
+                  {
+                    // Once the question is gone.
+                    QTimer::singleShot(0, reaction, [reaction] { Let(reaction); });
+                  }
+                  else if (clicked == wait)
+                  {
+                    this->Waiting = action;
+                    Q_EMIT this->wanted();
+                    QTimer::singleShot(0, this, &WaftHold::SaveAwaited); // it may be done by now
+                  }
+                });
+  box->open();
+}
+
+QString WaftHold::Awaited() const
+{
+  return this->Waiting ? this->Waiting->text().remove('&').remove("...") : QString();
+}
+
+void WaftHold::SaveAwaited()
+{
+  if (this->Waiting && waft::UnfinishedStages().empty())
+  {
+    QAction* action = this->Waiting;
+    this->Waiting = nullptr;
+    action->trigger();
   }
 }

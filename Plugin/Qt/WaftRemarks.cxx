@@ -1,19 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaftRemarks.h"
 
+#include "WaftStages.h"
+#include "WaftVerdict.h"
+
+#include <pqApplicationCore.h>
+#include <pqPipelineSource.h>
+#include <pqServerManagerModel.h>
+
 #include <vtkCommand.h>
 #include <vtkEventQtSlotConnect.h>
 #include <vtkObject.h>
 #include <vtkSMProxy.h>
 
+#include <QHash>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <iterator>
+
 namespace
 {
 
-constexpr int Most = 100; // that are kept
+constexpr int Most = 100;                        // that are kept of a source
+constexpr const char* Unmet = "cannot be met: "; // as `waft check` begins what a report says later
+
+/// The first of those that are alike but for their numbers, with how many more there are.
+QStringList FirstOfEach(const QStringList& lines)
+{
+  static const QRegularExpression number("-?[0-9][0-9.e+-]*");
+  QStringList kinds, firsts;
+  QHash<QString, int> counts;
+  for (const QString& line : lines)
+  {
+    const QString kind = QString(line).replace(number, "0");
+    if (counts[kind]++ == 0)
+    {
+      kinds << kind;
+      firsts << line;
+    }
+  }
+  for (int i = 0; i < firsts.size(); ++i)
+  {
+    const int more = counts[kinds[i]] - 1;
+    firsts[i] += more > 0 ? QString(" (and %1 more like it)").arg(more) : QString();
+  }
+  return firsts;
+}
 
 } // namespace
 
-WaftRemarks::WaftRemarks(QObject* parent) : QObject(parent) {}
+WaftRemarks::WaftRemarks(QObject* parent) : QObject(parent)
+{
+  this->connect(pqApplicationCore::instance()->getServerManagerModel(),
+                &pqServerManagerModel::preSourceRemoved, this,
+                [this](pqPipelineSource* source)
+                {
+                  vtkSMProxy* proxy = source->getProxy();
+                  if (vtkObjectBase* stage = proxy->GetClientSideObject())
+                  {
+                    this->Events->Disconnect(vtkObject::SafeDownCast(stage));
+                  }
+                  this->Of.remove(proxy);
+                  this->Found.remove(proxy);
+                });
+}
 
 WaftRemarks::~WaftRemarks() = default;
 
@@ -22,46 +73,72 @@ void WaftRemarks::ListenTo(vtkSMProxy* source)
   vtkObjectBase* stage = source->GetClientSideObject();
   if (auto* object = vtkObject::SafeDownCast(stage))
   {
-    this->Events->Disconnect(object, vtkCommand::WarningEvent, this);
+    this->Events->Disconnect(object, vtkCommand::NoEvent, this);
     this->Events->Connect(object, vtkCommand::WarningEvent, this,
-                          SLOT(onWarning(vtkObject*, unsigned long, void*, void*)));
+                          SLOT(onWarning(vtkObject*, unsigned long, void*, void*)), source);
+    if (!waft::WorksInSlices(source))
+    {
+      this->Events->Connect(object, vtkCommand::StartEvent, this,
+                            SLOT(onStart(vtkObject*, unsigned long, void*, void*)), source);
+    }
   }
 }
 
 // VTK puts the place in its sources before it, and who said it.
-void WaftRemarks::onWarning(vtkObject*, unsigned long, void*, void* text)
+void WaftRemarks::onWarning(vtkObject*, unsigned long, void* source, void* text)
 {
   const QString whole = QString::fromUtf8(static_cast<const char*>(text)).trimmed();
   const int begin = whole.indexOf("): ");
   const QString remark = begin >= 0 ? whole.mid(begin + 3) : whole;
-  if (this->Said.size() < Most && !this->Said.contains(remark))
+  QStringList& said = this->Of[static_cast<vtkSMProxy*>(source)];
+  if (said.size() < Most && !said.contains(remark))
   {
-    this->Said << remark;
-    this->IsNew = true;
+    said << remark;
   }
 }
 
-void WaftRemarks::Find(const QString& file, const QStringList& findings)
+void WaftRemarks::onStart(vtkObject*, unsigned long, void* source, void*)
 {
-  this->IsNew = this->IsNew || this->Found[file] != findings;
-  this->Found[file] = findings;
+  this->Of.remove(static_cast<vtkSMProxy*>(source));
 }
 
-QStringList WaftRemarks::Lines() const
+void WaftRemarks::Find(vtkSMProxy* source, const QStringList& findings)
 {
-  QStringList lines = this->Said;
-  for (const QStringList& findings : this->Found)
+  this->Found[source] = findings;
+}
+
+QStringList WaftRemarks::LinesOf(vtkSMProxy* source)
+{
+  const std::vector<pqPipelineSource*> related = waft::RelatedTo(source);
+  QStringList lines, said;
+  bool hasFlown = false;
+  for (pqPipelineSource* one : related)
   {
-    lines << findings;
+    vtkSMProxy* proxy = one->getProxy();
+    if (waft::IsFlight(proxy) && waft::IsComplete(proxy))
+    {
+      hasFlown = true;
+      lines << waft::UnmetMarksOf(proxy);
+    }
+    said << this->Of[proxy];
   }
-  return lines;
-}
-
-QString WaftRemarks::Line() const
-{
-  const QStringList lines = this->Lines();
-  const int more = static_cast<int>(lines.size()) - 1;
-  return lines.isEmpty()
-           ? QString()
-           : lines.first() + (more > 0 ? QString(" (and %1 more)").arg(more) : QString());
+  for (pqPipelineSource* one : related)
+  {
+    const QStringList found = this->Found[one->getProxy()];
+    // What has flown says itself how many marks are not met, and which.
+    std::copy_if(found.begin() + (hasFlown && !found.isEmpty() ? 1 : 0), found.end(),
+                 std::back_inserter(lines),
+                 [hasFlown](const QString& finding)
+                 { return !hasFlown || !finding.startsWith(Unmet); });
+  }
+  for (const QString& remark : said)
+  {
+    if (std::none_of(lines.begin(), lines.end(),
+                     [&remark](const QString& line)
+                     { return line.endsWith(remark); })) // found before it flew
+    {
+      lines << remark;
+    }
+  }
+  return FirstOfEach(lines);
 }

@@ -7,15 +7,14 @@
 
 #include <vtkNew.h>
 
-#include <utility>
-
+class pqPipelineSource;
 class vtkEventQtSlotConnect;
 class vtkObject;
 class vtkSMProxy;
 
-/// What sources of the window warn of, such as a mark that the air does not take a body to, and
-/// what is found of their scenes before. The window of messages, which comes before all else, is
-/// left to errors. Not of a server's sources.
+/// What is to be said of the window's sources, each by itself: marks that a flight does not meet,
+/// what is found of a scene before, and what stages warn of. It goes with its source. The window
+/// of messages, which comes before all else, is left to errors. Not of a server's sources.
 class WaftRemarks : public QObject
 {
   Q_OBJECT
@@ -25,24 +24,20 @@ public:
   ~WaftRemarks() override;
 
   void ListenTo(vtkSMProxy* source);
-  /// What is to be said of a scene file, in place of what was; it stays while others are cleared.
-  void Find(const QString& file, const QStringList& findings);
-  /// The first, and how many more there are; empty without any.
-  QString Line() const;
-  /// Each on a line of its own.
-  QString All() const { return this->Lines().join("\n"); }
-  /// Whether there is one that was not asked for yet.
-  bool TakeNews() { return std::exchange(this->IsNew, false); }
-  void Clear() { this->Said.clear(); }
+  /// What is to be said of a source's scene file, in place of what was.
+  void Find(vtkSMProxy* source, const QStringList& findings);
+  /// A stage begins anew: what it warned of is no more.
+  void Forget(vtkSMProxy* source) { this->Of.remove(source); }
+  /// Of a source, whom it takes from and who takes from it: the worst first, and of those that are
+  /// alike but for numbers the first alone, with how many more there are.
+  QStringList LinesOf(vtkSMProxy* source);
 
 private Q_SLOTS:
-  void onWarning(vtkObject* stage, unsigned long, void*, void* text);
+  void onWarning(vtkObject* stage, unsigned long, void* source, void* text);
+  void onStart(vtkObject* stage, unsigned long, void* source, void*);
 
 private:
   vtkNew<vtkEventQtSlotConnect> Events;
-  QStringList Lines() const;
-
-  QStringList Said;
-  QMap<QString, QStringList> Found; // by file
-  bool IsNew = false;
+  QMap<vtkSMProxy*, QStringList> Of;    // warnings
+  QMap<vtkSMProxy*, QStringList> Found; // before anything flies
 };

@@ -16,11 +16,6 @@ namespace waft
 namespace
 {
 
-bool WorksInSlices(vtkSMProxy* source)
-{
-  return source->GetProperty("WorkInSlices") != nullptr;
-}
-
 /// An information of a stage as it is now.
 vtkSMPropertyHelper Ask(vtkSMProxy* stage, const char* name)
 {
@@ -36,7 +31,53 @@ enum WorkState // of vtkSlicedPolyDataAlgorithm
   Arrived
 };
 
+bool LeadsTo(vtkSMProxy* consumer, vtkSMProxy* giver)
+{
+  if (consumer == giver)
+  {
+    return true;
+  }
+  for (unsigned int i = 0; i < consumer->GetNumberOfProducers(); ++i)
+  {
+    if (LeadsTo(consumer->GetProducerProxy(i), giver))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
+
+bool WorksInSlices(vtkSMProxy* source)
+{
+  return source->GetProperty("WorkInSlices") != nullptr;
+}
+
+bool IsComplete(vtkSMProxy* source)
+{
+  return Ask(source, "Complete").GetAsInt() != 0;
+}
+
+std::vector<pqPipelineSource*> RelatedTo(vtkSMProxy* source)
+{
+  std::vector<pqPipelineSource*> related;
+  const auto model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqPipelineSource* one : model->findItems<pqPipelineSource*>())
+  {
+    if (source != nullptr && (LeadsTo(source, one->getProxy()) || LeadsTo(one->getProxy(), source)))
+    {
+      related.push_back(one);
+    }
+  }
+  return related;
+}
+
+bool WantsNewAir(vtkSMProxy* source)
+{
+  return source->GetProperty("WantsNewAir") != nullptr &&
+         Ask(source, "WantsNewAir").GetAsInt() != 0;
+}
 
 Stages UnfinishedStages()
 {
@@ -44,7 +85,7 @@ Stages UnfinishedStages()
   const auto model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
-    if (WorksInSlices(source->getProxy()) && Ask(source->getProxy(), "Complete").GetAsInt() == 0)
+    if (WorksInSlices(source->getProxy()) && !IsComplete(source->getProxy()))
     {
       unfinished.emplace_back(source);
     }

@@ -19,9 +19,22 @@ namespace waft
 using Stages = std::vector<QPointer<pqPipelineSource>>;
 Stages UnfinishedStages();
 
+/// Whether a source is a stage whose work can go on beside; whether such a stage has nothing left
+/// to do.
+bool WorksInSlices(vtkSMProxy* source);
+bool IsComplete(vtkSMProxy* source);
+
+/// The window's sources that a source takes from, be it through others, itself, and those that take
+/// from it; none of nullptr.
+std::vector<pqPipelineSource*> RelatedTo(vtkSMProxy* source);
+
 /// A source, where it can, is to show what there is so far after a short while of work, which goes
 /// on beside.
 void WorkInSlices(vtkSMProxy* source);
+
+/// A Waft Animation whose scene was edited, and whose air, which is kept, does not take bodies to
+/// their marks.
+bool WantsNewAir(vtkSMProxy* source);
 
 /// A source that is deleted, where it works in slices, ends its work and lets go of its motion: the
 /// window itself may keep it until another is made.

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaftToolBar.h"
 
+#include "WaftActive.h"
 #include "WaftCamera.h"
 #include "WaftCheck.h"
 #include "WaftFly.h"
+#include "WaftFollow.h"
 #include "WaftHold.h"
+#include "WaftMarks.h"
 #include "WaftMenu.h"
 #include "WaftRemarks.h"
 #include "WaftStages.h"
+#include "WaftVerdict.h"
 
 #include <pqApplicationCore.h>
 #include <pqObjectBuilder.h>
@@ -24,12 +28,15 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QProgressBar>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -39,7 +46,7 @@ constexpr int WhileItWaits = 10;        // ms
 constexpr qint64 BetweenPictures = 500; // ms
 constexpr qint64 WorkPerPicture = 9;    // of the time that a picture takes, at least
 constexpr int BarSteps = 1000;
-constexpr int BarWidth = 420; // pixels
+constexpr int BarWidth = 470; // pixels
 constexpr int BarMargin = 12;
 constexpr double Minute = 60.0;
 
@@ -47,9 +54,8 @@ constexpr double Minute = 60.0;
 QString TimeLeft(double seconds)
 {
   const int minutes = static_cast<int>(std::ceil(seconds / Minute));
-  return seconds < 0.0      ? QString()
-         : seconds < Minute ? QString(", %1 s left").arg(std::max(1, static_cast<int>(seconds)))
-                            : QString(", %1 min left").arg(minutes);
+  return seconds < Minute ? QString(", %1 s left").arg(std::max(1, static_cast<int>(seconds)))
+                          : QString(", %1 min left").arg(minutes);
 }
 
 double SessionTime()
@@ -63,7 +69,8 @@ double SessionTime()
 
 WaftToolBar::WaftToolBar(QWidget* parent) :
   QToolBar("Waft", parent), Camera(new WaftCamera(this)), Check(new WaftCheck(this)),
-  Fly(new WaftFly(this)), Hold(new WaftHold(this)), Remarks(new WaftRemarks(this))
+  Fly(new WaftFly(this)), Follow(new WaftFollow(this)), Hold(new WaftHold(this)),
+  Remarks(new WaftRemarks(this))
 {
   this->setObjectName("WaftToolBar");
   auto* fly = this->AddButton("Fly", {}, {});
@@ -73,6 +80,16 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   fly->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   this->connect(this->Fly, &WaftFly::made, this, &WaftToolBar::onSourceMade);
   this->connect(this->Fly, &WaftFly::refused, this, &WaftToolBar::onRefused);
+  this->connect(this->Fly, &WaftFly::newAirWanted, this, &WaftToolBar::onNewAir);
+  this->connect(this->Hold, &WaftHold::wanted, this,
+                [this]
+                {
+                  if (this->Now == State::Stopped)
+                  {
+                    this->onGoOn();
+                  }
+                });
+  this->connect(new WaftActive(this), &WaftActive::changed, this, &WaftToolBar::onDataUpdated);
   this->Stop = this->AddButton("Stop", "Stop", "Hold the work of Waft; the motion so far stays");
   this->Stop->setIcon(this->style()->standardIcon(QStyle::SP_MediaStop));
   this->GoOn = this->AddButton("GoOn", "Go on", "Go on with the work that was stopped");
@@ -86,6 +103,18 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->Remarked->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
   this->RemarkedShown = this->actions().last();
   this->RemarkedShown->setVisible(false);
+  this->Marks = this->AddButton("Marks", "Marks",
+                                "The marks of the active flight as a table, those first that are "
+                                "not met; what is selected in it is selected in the view");
+  this->connect(this->Marks, &QToolButton::clicked, this,
+                []
+                {
+                  if (vtkSMProxy* flight = waft::FlightOf(waft::ChosenIn("ActiveSources")))
+                  {
+                    waft::TabulateMarks(flight);
+                  }
+                });
+  this->AddCameras();
   this->connect(this->Remarked, &QToolButton::clicked, this, &WaftToolBar::onRemarks);
   this->connect(this->Check, &WaftCheck::found, this, &WaftToolBar::onFound);
   this->connect(this->Stop, &QToolButton::clicked, this, &WaftToolBar::onStop);
@@ -109,6 +138,25 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   // ParaView's own rows are full; this one is beside its progress. Once the window has taken it in.
   QTimer::singleShot(0, this, &WaftToolBar::MoveDown);
   waft::AddToSourcesMenu();
+}
+
+void WaftToolBar::AddCameras()
+{
+  QToolButton* frame = this->AddButton("Frame", "Frame flight",
+                                       "Turn the camera to all that flies, over the whole shot");
+  this->connect(frame, &QToolButton::clicked, this->Camera, &WaftCamera::FrameFlight);
+  this->Follows = this->AddButton("Follow", "Follow", "Let the camera go along with");
+  this->Follows->setCheckable(true);
+  this->connect(this->Follows, &QToolButton::toggled, this->Follow, &WaftFollow::SetOn);
+  this->Followed = new QSpinBox(this);
+  this->Followed->setObjectName("Followed");
+  this->Followed->setRange(-1, -1);
+  this->Followed->setPrefix("body ");
+  this->Followed->setSpecialValueText("all bodies");
+  this->Followed->setToolTip("Whom the camera goes along with");
+  this->addWidget(this->Followed);
+  this->connect(this->Followed, QOverload<int>::of(&QSpinBox::valueChanged), this->Follow,
+                &WaftFollow::SetBody);
 }
 
 void WaftToolBar::MoveDown()
@@ -192,6 +240,7 @@ void WaftToolBar::onTimer()
 // where the machine is busy.
 void WaftToolBar::Look()
 {
+  SCOPED_UNDO_EXCLUDE(); // what is shown of the work is no step
   const waft::Stages unfinished = waft::UnfinishedStages();
   this->Begun = this->Now == State::Resting ? 0 : std::max(this->Begun, unfinished.size());
   const waft::WorkOfStages work = waft::WorkOf(unfinished, this->Begun);
@@ -271,61 +320,132 @@ void WaftToolBar::onRefused(const QString& why)
   this->Say("nothing flies: " + why, "nothing flies: " + why);
 }
 
-void WaftToolBar::onFound(const QString& file, const QStringList& findings)
+void WaftToolBar::onFound(pqPipelineSource* source, const QStringList& findings)
 {
-  this->Remarks->Find(file, findings);
-  this->ShowRemarks();
+  this->Remarks->Find(source->getProxy(), findings);
   this->onDataUpdated();
 }
 
 void WaftToolBar::onRemarks()
 {
-  auto* box =
-    new QMessageBox(QMessageBox::Information, "Waft", this->Remarks->All(), QMessageBox::Ok, this);
+  auto* box = new QMessageBox(QMessageBox::Information, "Waft", this->Lines.join("\n"),
+                              QMessageBox::Ok, this);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setTextFormat(Qt::PlainText);
   box->open();
 }
 
-void WaftToolBar::ShowRemarks()
+void WaftToolBar::onNewAir()
 {
-  this->RemarkedShown->setVisible(!this->Remarks->Line().isEmpty());
-  this->Remarked->setToolTip(this->Remarks->All());
+  for (pqPipelineSource* source : waft::RelatedTo(waft::ChosenIn("ActiveSources")))
+  {
+    if (source->getProxy()->GetProperty("WantsNewAir") != nullptr)
+    {
+      this->FlyAnew(source);
+    }
+  }
 }
 
-void WaftToolBar::Say(const QString& line, const QString& whole)
+void WaftToolBar::DrawNewAirs()
 {
-  this->Bar->setFormat(
-    this->Bar->fontMetrics().elidedText(line, Qt::ElideRight, BarWidth - BarMargin));
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
+  {
+    if (waft::WantsNewAir(source->getProxy()))
+    {
+      this->FlyAnew(source);
+    }
+  }
+}
+
+void WaftToolBar::FlyAnew(pqPipelineSource* source)
+{
+  waft::LetGo(source->getProxy());
+  waft::UpdateStages({ source }, SessionTime());
+  this->Timer.start();
+}
+
+void WaftToolBar::Say(const QString& line, const QString& whole, const QString& end)
+{
+  const QFontMetrics letters = this->Bar->fontMetrics();
+  const int room = BarWidth - BarMargin - letters.horizontalAdvance(end);
+  this->Bar->setFormat(letters.elidedText(line, Qt::ElideRight, room) + end);
   this->Bar->setToolTip(whole);
+}
+
+void WaftToolBar::ShowRest()
+{
+  vtkSMProxy* active = waft::ChosenIn("ActiveSources");
+  vtkSMProxy* flight = waft::FlightOf(active);
+  const bool isFlown = flight != nullptr && waft::HasFlown(flight);
+  this->Marks->setEnabled(isFlown);
+  this->Lines = this->Remarks->LinesOf(active);
+  this->RemarkedShown->setVisible(!this->Lines.isEmpty());
+  this->Remarked->setToolTip(this->Lines.join("\n"));
+  const int bodies = this->Follow->NumberOfBodies();
+  {
+    const QSignalBlocker quiet(this->Followed); // what is followed of another flight stays
+    this->Followed->setRange(-1, bodies - 1);
+  }
+  this->Followed->setEnabled(bodies > 0);
+  this->Follows->setEnabled(bodies > 0 || this->Follows->isChecked());
+  if (this->Now != State::Resting)
+  {
+    return;
+  }
+  const QStringList parts = (isFlown ? QStringList("done") : QStringList()) + this->Lines.mid(0, 1);
+  const QString rest = parts.join("; ");
+  this->Bar->setEnabled(!this->Lines.isEmpty());
+  if (rest != this->Rest)
+  {
+    this->Rest = rest;
+    this->Bar->setValue(isFlown ? BarSteps : 0);
+    this->Say(rest, this->Lines.join("\n"));
+  }
 }
 
 void WaftToolBar::Show(State state, const waft::WorkOfStages& work)
 {
-  const State before = this->Now;
-  this->Now = state;
+  const State before = std::exchange(this->Now, state);
   this->Stop->setEnabled(state == State::Working);
   this->GoOn->setEnabled(state == State::Stopped);
-  this->Bar->setEnabled(state != State::Resting || !this->Remarks->Line().isEmpty());
-  this->ShowRemarks();
   if (state == State::Resting)
   {
-    const bool isNew = this->Remarks->TakeNews();
-    if (before != state || isNew)
+    if (before != state)
     {
-      this->Bar->setValue(BarSteps);
-      const QString remark = this->Remarks->Line();
-      this->Say(remark.isEmpty() ? QString("done") : "done; " + remark, this->Remarks->All());
+      this->Rest.clear();
+      this->Camera->Settle();
+      QTimer::singleShot(0, this, [this] { this->Hold->SaveAwaited(); });
+    }
+    if (!this->Hold->IsOn())
+    {
+      this->DrawNewAirs();
+      this->ShowRest();
     }
     return;
   }
   if (before == State::Resting)
   {
-    this->Remarks->Clear();
+    for (pqPipelineSource* source : waft::UnfinishedStages())
+    {
+      this->Remarks->Forget(source->getProxy());
+    }
+    this->LeastLeft = -1.0;
     this->SincePicture.start(); // Apply has drawn
   }
-  const QString left = TimeLeft(work.SecondsLeft);
-  const QString line = state == State::Stopped ? "stopped: " + work.Message : work.Message + left;
+  this->ShowRest();
+  this->Bar->setEnabled(true);
+  QString end;
+  // One that grows was none: it is told again from where it shrinks below what was told.
+  if (state == State::Working && work.SecondsLeft >= 0.0 &&
+      (this->LeastLeft < 0.0 || work.SecondsLeft <= this->LeastLeft))
+  {
+    this->LeastLeft = work.SecondsLeft;
+    end = TimeLeft(work.SecondsLeft);
+  }
+  const QString awaited = this->Hold->Awaited();
+  end += awaited.isEmpty() ? QString() : "; then " + awaited;
+  const QString line = (state == State::Stopped ? "stopped: " : "") + work.Message;
   this->Bar->setValue(static_cast<int>(std::lround(BarSteps * std::clamp(work.Done, 0.0, 1.0))));
-  this->Say(line, line);
+  this->Say(line, line + end, end);
 }

@@ -9,10 +9,12 @@
 #include <cstddef>
 
 class QProgressBar;
+class QSpinBox;
 class QToolButton;
 class WaftCamera;
 class WaftCheck;
 class WaftFly;
+class WaftFollow;
 class WaftHold;
 class WaftRemarks;
 class pqPipelineSource;
@@ -40,8 +42,9 @@ private Q_SLOTS:
   void onStop();
   void onGoOn();
   void onRefused(const QString& why);
-  void onFound(const QString& file, const QStringList& findings);
+  void onFound(pqPipelineSource* source, const QStringList& findings);
   void onRemarks();
+  void onNewAir();
 
 private:
   enum class State
@@ -64,16 +67,23 @@ private:
   bool IsPictureDue() const;
   /// Shows what the work has come to.
   void TakePicture();
+  void AddCameras();
+  /// What was edited, and cannot be flown to in the air that there is, flies in another one.
+  void DrawNewAirs();
+  void FlyAnew(pqPipelineSource* source);
   void Show(State state, const waft::WorkOfStages& work);
-  /// A line in the bar, as far as it has room, and all of it as its tip.
-  void Say(const QString& line, const QString& whole);
-  void ShowRemarks();
+  /// A line in the bar until there is other to say, as far as it has room before what is at its
+  /// end, and all as its tip.
+  void Say(const QString& line, const QString& whole, const QString& end = {});
+  /// What is to be said of the active source.
+  void ShowRest();
   /// Renders all views.
   void Draw();
 
   WaftCamera* Camera;
   WaftCheck* Check;
   WaftFly* Fly;
+  WaftFollow* Follow;
   QTimer Timer;
   WaftHold* Hold;
   WaftRemarks* Remarks;
@@ -82,10 +92,16 @@ private:
   QToolButton* Stop;
   QToolButton* GoOn;
   QProgressBar* Bar;
+  QToolButton* Marks; // as a table
+  QToolButton* Follows;
+  QSpinBox* Followed;     // the body that the camera follows
   QToolButton* Remarked;  // a sign beside the bar that there are remarks, which opens them
   QAction* RemarkedShown; // its place in the tool bar
   State Now = State::Resting;
   Wish Asked = Wish::Nothing;
-  std::size_t Begun = 0; // stages, at most, since there was nothing to do
-  bool IsInside = false; // of Look: an update lets the window's events through
+  QString Rest;            // what was said last of the active source, work aside
+  QStringList Lines;       // of remarks, then
+  double LeastLeft = -1.0; // s, that were said to be left
+  std::size_t Begun = 0;   // stages, at most, since there was nothing to do
+  bool IsInside = false;   // of Look: an update lets the window's events through
 };

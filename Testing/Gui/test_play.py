@@ -48,6 +48,11 @@ class PlayTest(WindowTest):
                 self.assertAlmostEqual(a, b, places=3)
         self.assertEqual(self.first["camera"][2], [0, 0, 1])
 
+    def test_what_the_window_sets_by_itself_is_no_step(self):
+        taken_back = {step for note in self.drawn for step in note["steps"]}
+        self.assertTrue(taken_back)
+        self.assertEqual({step for step in taken_back if "RenderView" in step or "Representation" in step}, set())
+
     def test_the_window_knows_the_frames(self):
         self.assertEqual(self.first["steps"], FRAMES)
         self.assertAlmostEqual(self.first["end"], (FRAMES - 1) / RATE)

@@ -101,11 +101,12 @@ class WidgetTest(WindowTest):
                                          "ObstacleSource1": ["0:MotionObstaclesRepresentation"]})
         clicks, fields = effort((HERE / "byhand.xml").read_text(encoding="utf-8"))
         self.assertLessEqual(clicks, 15)
-        self.assertLessEqual(fields, 3)
+        self.assertLessEqual(fields, 2)
 
     def test_fly_says_what_is_missing_and_joins_what_is_added(self):
         with tempfile.TemporaryDirectory() as folder:
             status, printed, notes = play("fly.xml", pathlib.Path(folder), "watch_byhand.py", frames=30)
+            saved = json.loads((pathlib.Path(folder) / "flown.waft.json").read_text(encoding="utf-8"))
         self.check_run(status, printed)  # the script looks at what the tool bar says
         flown = [note for note in notes if note["flight"].get("statuses")]
         one = flown[0]
@@ -121,6 +122,14 @@ class WidgetTest(WindowTest):
         self.assertEqual(more[0]["joined"]["Assimilation"]["Wind"], ["WindSource1"])
         resolutions = [number for number, _ in itertools.groupby(note["resolution"]["Assimilation"] for note in more)]
         self.assertEqual(resolutions, [32, 64, 32], "a preview's, those of the quality that was chosen, and undone")
+        self.assertEqual(sorted(flown[-1]["flight"]["statuses"]), ["infeasible", "infeasible", "met"], "as many targets as objects")
+        self.assertEqual((len(saved["objects"]), len(saved["constraints"]), len(saved["winds"])), (2, 3, 1))
+        followed = [note for note in flown if note["time"] > 0.9]
+        for own, wanted in zip(followed[-1]["focus"], followed[-1]["flight"]["middle"]):
+            self.assertAlmostEqual(own, wanted, places=5, msg="the camera looks at the middle of the bodies")
+        self.assertEqual(followed[-1]["views"], ["RenderView", "SpreadSheetView"])
+        shown = {step for note in notes for step in note["steps"] if "RenderView" in step or "Representation" in step}
+        self.assertEqual(shown, set(), "what Waft sets of a view is no step")
 
     def test_a_start_is_typed_and_dragged(self):
         notes = self.of("ObjectSource")

@@ -6,7 +6,7 @@ import os
 
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from watching import view, wait_until, watch, write_change
+from watching import steps, view, wait_until, watch, write_change
 
 import waft  # the classes of its stages
 
@@ -56,7 +56,8 @@ def flight():
     places = vtk_to_numpy(poses.GetPoints().GetData()).reshape(bodies, -1, 3)
     turns = vtk_to_numpy(poses.GetPointData().GetArray("Orientation")).reshape(bodies, -1, 4)
     return {"bodies": bodies, "triangles": meshes.GetNumberOfPolys(), "frames": places.shape[1],
-            "starts": places[:, 0].tolist(), "ends": places[:, -1].tolist(), "half": places[:, places.shape[1] // 2].tolist(),
+            "starts": places[:, 0].tolist(), "middle": places[:, round(view.ViewTime * 30)].mean(axis=0).tolist(),
+            "ends": places[:, -1].tolist(), "half": places[:, places.shape[1] // 2].tolist(),
             "turned": abs((turns[:, 0] * turns[:, places.shape[1] // 2]).sum(axis=1)).tolist(),
             "statuses": [report.GetValueByName(row, "Status").ToString() for row in range(report.GetNumberOfRows())]}
 
@@ -76,7 +77,8 @@ def look():
     write_change({"sources": sorted(name for name, _ in simple.GetSources()),
                   "joined": {name: joined(source) for (name, _), source in simple.GetSources().items()},
                   "resolution": {name: stage.Resolution for name, stage in stages().items() if hasattr(stage, "Resolution")},
-                  "shown": shown(), "flight": flight()})
+                  "shown": shown(), "flight": flight(), "steps": steps(), "time": view.ViewTime,
+                  "focus": list(view.CameraFocalPoint), "views": [one.SMProxy.GetXMLName() for one in simple.GetViews()]})
 
 
 assert waft.__name__

@@ -7,7 +7,7 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
-from watching import SCENE, animation_of_the_menu, end, has_bodies, view, watch, write
+from watching import SCENE, animation_of_the_menu, end, has_bodies, steps, view, watch, write
 
 import waft
 from waft import showing
@@ -88,7 +88,7 @@ def drawn(*_):
     global ended
     if not looks:
         image = picture()
-        write({"time": keeper.Time, "columns": np.round(image.mean(axis=(0, 2)), 3).tolist()})
+        write({"time": keeper.Time, "columns": np.round(image.mean(axis=(0, 2)), 3).tolist(), "steps": steps()})
         ended = ended or keeper.Time >= (FRAMES - 1.5) / 30
 
 

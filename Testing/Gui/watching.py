@@ -8,6 +8,7 @@ import time
 import traceback
 
 from paraview import simple
+from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCENE = os.environ["WAFT_GUI_SCENE"]  # the file of the scene that the script makes
@@ -71,6 +72,12 @@ def wait_until(condition):
             raise TimeoutError(f"expected an end of what is waited for within {DEADLINE:g} s")
         _let_events_come(0)
         time.sleep(0.01)
+
+
+def steps():
+    """What Undo would take back, the last first."""
+    stack = vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder().GetUndoStack()
+    return [stack.GetUndoSetLabel(i) for i in range(stack.GetNumberOfUndoSets())]
 
 
 def is_in_the_air():
