@@ -950,9 +950,6 @@ class Checked(unittest.TestCase):
                 ("conflict: 26 more", "", "26 more cannot be met"),
                 ("too many: the balls of clearance of 900 bodies take 12 % of the volume, 5 % is what flies well", "",
                  "too many: 900 flyers and the room that they turn in take 12 % of the volume; up to 5 % fly well"),
-                ("Database: traced in a volume 4 m wide, the scene's is 20 m: its segments are taken 2.5 times as large, and as fast",
-                 "Volume", "the volume is 20 m wide: the flights that paths are made of, of 4 m, are taken 2.5 times as large and as "
-                 "fast"),
                 ("object 1 (rows 0, 0): the air does not take it there: what moves it besides is 37 % of the flow's velocity (rms)", "Other",
                  "the air does not take it to its marks: it is pushed besides, by 37 % of the air's speed; more time between marks helps"),
                 ("3 objects, 12 frames: turning that frames cannot show is slowed to MaximumTurn (60 degrees a frame)", "",

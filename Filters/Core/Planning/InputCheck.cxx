@@ -115,15 +115,6 @@ std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const S
       database.FramesPerSecond, rate);
     remarks.emplace_back(text);
   }
-  const double scale = DatabaseScale(database, scene);
-  if (scale != 1.0)
-  {
-    std::snprintf(text, sizeof text,
-                  "Database: traced in a volume %.6g m wide, the scene's is %.6g m: its segments "
-                  "are taken %.3g times as large, and as fast",
-                  database.Volume.Width(), scene.Bounds.Width(), scale);
-    remarks.emplace_back(text);
-  }
   return remarks;
 }
 

@@ -16,8 +16,7 @@ Result CheckPlanInput(const PlanInput& input);
 double DatabaseScale(const MotionDatabase& database, const SceneInfo& scene);
 
 /// What is odd about flying a scene on a database, a sentence each: a frame rate more than twice,
-/// or less than half, of the database's (segments are resampled), a volume so far from its own that
-/// segments are scaled.
+/// or less than half, of the database's (segments are resampled).
 std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene);
 
 /// Builds the obstacles that paths are planned around; each is checked for cutting itself, too.

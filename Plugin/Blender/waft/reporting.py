@@ -20,8 +20,6 @@ _SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
     (r"(infeasible|conflict): (\d+) more", "{1} more cannot be met"),
     (r"Database: traced at (\S+) frames per second, the scene has (\S+): .*",
      "{1} frames a second are far from the {0} of the flights that paths are made of: they may look uneven"),
-    (r"Database: traced in a volume (\S+) m wide, the scene's is (\S+) m: .* taken (\S+) times as large.*",
-     "the volume is {1} m wide: the flights that paths are made of, of {0} m, are taken {2} times as large and as fast"),
     (r"(?P<object>object \d+)(?: \([^)]*\))?: the air does not take it there: .* is (\d+) % of .*",
      "the air does not take it to its marks: it is pushed besides, by {1} % of the air's speed; more time between marks helps"),
     (r"and (\d+) more objects that the air does not take to their marks", "{0} more flyers are pushed to their marks besides"),
@@ -57,7 +55,6 @@ class Reporter:
         self._shapes = {name: shape["_object"] for name, shape in stage.scene.get("shapes", {}).items()}
         self._first = stage.frames[0]
         self._rate = stage.rate
-        self._volume = stage.volume
         self._at = {}  # frame of the file: full names of what asks for something then
         for row, name in zip(stage.scene.get("constraints", []), self._sources.get("constraints", [])):
             self._at.setdefault(row["frame"], set()).add(name)
@@ -80,8 +77,6 @@ class Reporter:
 
     def _about(self, line):
         """The name of what a sentence is about: what it points at; else a mark before its flyer, and that before what is in the way."""
-        if line.startswith("Database: traced in a volume"):
-            return self._volume
         crowded = re.match(r"too near: .* marks at frame (\d+) ", line)
         if crowded:
             names = self._at.get(int(crowded[1]), ())

@@ -48,7 +48,6 @@ class Stage:
         self.flyers = []
         self.instancers = set()
         self.left_out = set()
-        self.volume = ""
         self.manifest = []
         settings = context.scene
         self.known = set(by_name(settings.objects))
@@ -185,7 +184,6 @@ class Stage:
     def _add(self, scene, parts, fields):
         title = "".join(filter(str.isprintable, scene.name))  # no control characters go into files
         self.scene.update(title=title, seed=scene.waft.seed, time={"frames": len(self.frames), "framesPerSecond": self.rate})
-        self.volume = parts["VOLUME"][0].name_full if parts["VOLUME"] else ""
         has_volume = add_volume(self, parts["VOLUME"], scene.waft.has_ground)
         ids, bodies = add_flyers(self, parts["FLYER"])
         add_obstacles(self, parts["OBSTACLE"])

@@ -64,6 +64,36 @@ TEST(DatabaseFile, KeepsEveryNumber)
   EXPECT_EQ(BytesOf(path), BytesOf(folder.File("b.motions")));
 }
 
+TEST(MotionDatabase, OfAnotherScaleIsTheSameInOtherMetres)
+{
+  const MotionDatabase database = Sparse();
+  const MotionDatabase scaled = database.Scaled(5.0);
+  ASSERT_TRUE(scaled.Validate());
+  EXPECT_EQ(scaled.Volume.Width(), 5.0 * database.Volume.Width());
+  EXPECT_EQ(scaled.TopSpeed, 5.0 * database.TopSpeed);
+  for (std::size_t s = 0; s < database.Segments.size(); ++s)
+  {
+    const std::vector<Vec3> was = database.Reconstruct(static_cast<int>(s));
+    const std::vector<Vec3> is = scaled.Reconstruct(static_cast<int>(s));
+    for (std::size_t k = 0; k < was.size(); ++k)
+    {
+      ASSERT_LT((is[k] - 5.0 * was[k]).norm(), 1e-9);
+    }
+  }
+  for (std::size_t c = 0; c < database.Connections.size(); ++c)
+  {
+    EXPECT_EQ(scaled.Connections[c].Cost, database.Connections[c].Cost);
+    EXPECT_EQ(scaled.Connections[c].Translation, 5.0 * database.Connections[c].Translation);
+  }
+  for (std::size_t v = 0; v < database.Vortices.size(); ++v)
+  {
+    const Vec3 x(0.2, -0.1, 0.4);
+    const Vec3 was = database.Vortices[v].SpatialAcceleration(x);
+    EXPECT_LT((scaled.Vortices[v].SpatialAcceleration(5.0 * x) - 5.0 * was).norm(),
+              1e-9 * (1.0 + was.norm()));
+  }
+}
+
 TEST(DatabaseFile, IsRefusedWhereItIsDamaged)
 {
   const test::TemporaryFolder folder;
