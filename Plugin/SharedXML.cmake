@@ -13,9 +13,16 @@ set(WAFT_ACTIVE [=[
         <Documentation>Whether the stage runs. One that rests takes none of its inputs and gives empty outputs.</Documentation>
       </IntVectorProperty>]=])
 
+# Python has no attribute of what is never shown: what scripts ask for, and the tool bar tells, is hidden so.
+set(WAFT_HIDDEN [=[
+
+        <Hints>
+          <PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="Complete" values="0 1" inverse="1"/>
+        </Hints>]=])
+
 # Of a stage that can work in slices. The window asks by WorkInSlices, so that neither a saved state nor a trace tells
 # of it: whoever loads these expects the whole result.
-set(WAFT_SLICES [=[
+string(CONFIGURE [=[
       <Option name="Slice" panel_visibility="never"/>
       <Property name="WorkInSlices" command="WorkInSlices" panel_visibility="never">
         <Documentation>From now on the stage works as a window wants it: an update returns soon, and the work goes on beside.</Documentation>
@@ -34,11 +41,11 @@ set(WAFT_SLICES [=[
         <Documentation>Discards the work that has not ended and what there is of the motion; the next update begins anew.</Documentation>
       </Property>
       <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="advanced">
-        <SimpleIntInformationHelper/>
+        <SimpleIntInformationHelper/>@WAFT_HIDDEN@
         <Documentation>1: nothing is left to do, the last update gave the whole result or failed; 0: it gave the motion so far.</Documentation>
       </IntVectorProperty>
       <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1" panel_visibility="advanced">
-        <SimpleDoubleInformationHelper/>
+        <SimpleDoubleInformationHelper/>@WAFT_HIDDEN@
         <Documentation>Of the work that has not ended: 0 to 1.</Documentation>
       </DoubleVectorProperty>
       <IntVectorProperty name="WorkState" command="GetWorkState" information_only="1" panel_visibility="never">
@@ -46,13 +53,13 @@ set(WAFT_SLICES [=[
         <Documentation>0: there is no work; 1: it is held; 2: it goes on beside; 3: it has come to its end, which the next update after GoOn shows.</Documentation>
       </IntVectorProperty>
       <DoubleVectorProperty name="SecondsLeft" command="GetSecondsLeft" information_only="1" panel_visibility="advanced">
-        <SimpleDoubleInformationHelper/>
+        <SimpleDoubleInformationHelper/>@WAFT_HIDDEN@
         <Documentation>Seconds that the work takes from here on, by those that it took; below 0 while that is not known.</Documentation>
       </DoubleVectorProperty>
       <StringVectorProperty name="Message" command="GetWorkText" information_only="1" panel_visibility="advanced">
-        <SimpleStringInformationHelper/>
+        <SimpleStringInformationHelper/>@WAFT_HIDDEN@
         <Documentation>What the stage does; done in the end, or why it failed.</Documentation>
-      </StringVectorProperty>]=])
+      </StringVectorProperty>]=] WAFT_SLICES @ONLY)
 
 # A port that takes one connection: @WAFT_INPUT_POLYDATA@ inside an InputProperty. Of data in blocks the
 # domain asks for the blocks' type, as the stages do (Bridge/Pipeline/StageInputs.h); a list of shapes is

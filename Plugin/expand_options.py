@@ -89,6 +89,30 @@ def group_advanced(proxy):
         ElementTree.SubElement(last, "Property", {"name": name})
 
 
+def name_former(domain):
+    """A panel lists what the last domain of a property (by name) has, scripts may say what the first has: there the former names are, too."""
+    former = [entry for entry in domain if entry.attrib.pop("former", None)]
+    for entry in former:
+        domain.remove(entry)
+    every = ElementTree.Element(domain.tag, {"name": "all"})
+    every.extend([*domain, *former])
+    return [every, domain] if former else [domain]
+
+
+def names_of_before(root):
+    """Python makes its names from labels. Where these are others than the proxies' own, these are there, too: by a definition that no
+    menu has, in the other group, so that what is made by it is of the same name."""
+    other = {"sources": "filters", "filters": "sources"}
+    for group in root.findall("ProxyGroup"):
+        renamed = [proxy for proxy in group if proxy.get("class") and proxy.get("label", "").replace(" ", "") not in ("", proxy.get("name"))]
+        if renamed:
+            added = ElementTree.SubElement(root, "ProxyGroup", {"name": other[group.get("name")]})
+            for proxy in renamed:
+                ElementTree.SubElement(added, proxy.tag, {
+                    "name": proxy.get("name"), "class": proxy.get("class"), "label": label_of(proxy.get("name")),
+                    "base_proxygroup": group.get("name"), "base_proxyname": proxy.get("name")})
+
+
 def expand(root, classes):
     """Replaces all <Option> in a tree; raises KeyError where Core has no such option."""
     for proxy in root.iter():
@@ -99,8 +123,13 @@ def expand(root, classes):
                     raise KeyError(f"{proxy.get('class')}: Core states no option {child.get('name')}")
                 proxy[index] = property_of(options[child.get("name")], child)
                 proxy[index].tail = child.tail
+        for held in proxy.findall("IntVectorProperty"):
+            for domain in held.findall("EnumerationDomain"):
+                place = list(held).index(domain)
+                held[place:place + 1] = name_former(domain)
         if proxy.find("OutputPort") is not None:
             group_advanced(proxy)
+    names_of_before(root)
     return root
 
 

@@ -4,9 +4,12 @@
 #include <vtkNew.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
+#include <vtkSMInputProperty.h>
+#include <vtkSMPropertyIterator.h>
 #include <vtkSMProxyIterator.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <utility>
@@ -17,14 +20,30 @@ namespace waft
 namespace
 {
 
+/// Stages of the same menus take what is made here.
+bool NeedsInput(vtkSMProxy* proxy)
+{
+  const auto held = vtkSmartPointer<vtkSMPropertyIterator>::Take(proxy->NewPropertyIterator());
+  for (held->Begin(); !held->IsAtEnd(); held->Next())
+  {
+    vtkSMProperty* property = held->GetProperty();
+    vtkPVXMLElement* hints = property->GetHints();
+    if (vtkSMInputProperty::SafeDownCast(property) != nullptr &&
+        (hints == nullptr || hints->FindNestedElementByName("Optional") == nullptr))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Those that a hand makes: their place in the menu tells.
 bool IsOfScene(vtkSMProxy* proxy)
 {
   vtkPVXMLElement* hints = proxy->GetHints();
   vtkPVXMLElement* menu = hints != nullptr ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
   const std::string category = menu != nullptr ? menu->GetAttributeOrEmpty("category") : "";
-  return std::string(proxy->GetXMLGroup()) == "sources" &&
-         (category == "Waft Scene" || category == "Waft Bodies");
+  return (category == "Waft Scene" || category == "Waft Bodies") && !NeedsInput(proxy);
 }
 
 std::string ListOf(const std::vector<SourcePort>& ports)
@@ -99,11 +118,11 @@ std::string SceneSources::Refusal() const
 {
   if (this->All("Objects").empty())
   {
-    return "there are no objects: add an Object Source";
+    return "there are no objects: add an Object";
   }
   if (this->All("Constraints").empty())
   {
-    return "there are no marks: add a Constraint Source or a Shape Keyframe Source";
+    return "there are no marks: add a Constraint or a Shape Keyframe";
   }
   std::vector<SourcePort> files;
   for (const SourcePort& objects : this->All("Objects"))

@@ -178,7 +178,7 @@ QStringList UnmetMarksOf(vtkSMProxy* flight)
   {
     lines.prepend(
       QString("%1 of %2 marks are not met").arg(lines.size()).arg(all->GetNumberOfRows()) +
-      (lacksGround ? ": add an Obstacle Source with Ground" : ""));
+      (lacksGround ? ": add an Obstacle with Ground" : ""));
   }
   return lines;
 }

@@ -98,7 +98,7 @@ class WidgetTest(WindowTest):
         self.assertLess(min(flight["turned"]), 0.9, "turned")
         self.assertEqual(last["shown"], {"Rotation": ["0:MotionBodiesRepresentation", "1:MotionFaintPathsRepresentation"],
                                          "Assimilation": ["3:MotionMarksRepresentation"],
-                                         "ObstacleSource1": ["0:MotionObstaclesRepresentation"]})
+                                         "Obstacle1": ["0:MotionObstaclesRepresentation"]})
         clicks, fields = effort((HERE / "byhand.xml").read_text(encoding="utf-8"))
         self.assertLessEqual(clicks, 15)
         self.assertLessEqual(fields, 2)
@@ -111,15 +111,15 @@ class WidgetTest(WindowTest):
         flown = [note for note in notes if note["flight"].get("statuses")]
         one = flown[0]
         stages = ["Assimilation", "Planner", "Rotation"]
-        self.assertEqual(one["sources"], sorted(["ConstraintSource1", "Leaf", "ObjectSource1", *stages]))
+        self.assertEqual(one["sources"], sorted(["Constraint1", "Leaf", "Object1", *stages]))
         self.assertEqual(one["joined"]["Rotation"]["Tracks"], ["Assimilation"])
-        self.assertEqual(one["joined"]["ObjectSource1"]["Shapes"], ["Leaf"], "whose body nobody gave")
+        self.assertEqual(one["joined"]["Object1"]["Shapes"], ["Leaf"], "whose body nobody gave")
         more = [note for note in flown if note["flight"]["bodies"] == 2]
-        self.assertEqual(more[0]["sources"], sorted([*one["sources"], "ObjectSource2", "Objects", "WindSource1"]), "no second chain")
-        self.assertEqual(more[0]["joined"]["Objects"]["Input"], ["ObjectSource1", "ObjectSource2"])
+        self.assertEqual(more[0]["sources"], sorted([*one["sources"], "Object2", "Objects", "Wind1"]), "no second chain")
+        self.assertEqual(more[0]["joined"]["Objects"]["Input"], ["Object1", "Object2"])
         for stage in stages:
             self.assertEqual(more[0]["joined"][stage]["Objects"], ["Objects"])
-        self.assertEqual(more[0]["joined"]["Assimilation"]["Wind"], ["WindSource1"])
+        self.assertEqual(more[0]["joined"]["Assimilation"]["Wind"], ["Wind1"])
         resolutions = [number for number, _ in itertools.groupby(note["resolution"]["Assimilation"] for note in more)]
         self.assertEqual(resolutions, [32, 64, 32], "a preview's, those of the quality that was chosen, and undone")
         self.assertEqual(sorted(flown[-1]["flight"]["statuses"]), ["infeasible", "infeasible", "met"], "as many targets as objects")

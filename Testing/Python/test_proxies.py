@@ -48,7 +48,8 @@ def described_proxies():
     for path in sorted(glob.glob(os.path.join(XML, "*.xml"))):
         for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
             found += [(os.path.basename(path), element) for element in group
-                      if element.tag.endswith("Proxy") and group.get("name") != "representations"]
+                      if element.tag.endswith("Proxy") and group.get("name") != "representations"
+                      and element.get("base_proxyname") is None]
     return found
 
 
@@ -99,12 +100,35 @@ class ProxyTest(unittest.TestCase):
         """ParaView makes the Python attribute from the label without its blanks."""
         for path, element in described_proxies():
             with self.subTest(file=path, proxy=element.get("name")):
-                label = element.get("label", element.get("name"))
-                self.assertEqual(label.replace(" ", ""), element.get("name"))
-                attributes = make(element.get("name"))().ListProperties()
+                proxy = make(element.get("name"))()
+                self.assertEqual(proxy.GetXMLName(), element.get("name"))
+                attributes = proxy.ListProperties()
                 for described in element:
                     if described.tag in VALUES and described.get("information_only") != "1":
                         self.assertIn(described.get("name"), attributes)
+
+    def test_labels_are_words_of_the_menu(self):
+        """Short ones, with an icon; scripts have a proxy by its label and by its own name."""
+        for path, element in described_proxies():
+            with self.subTest(file=path, proxy=element.get("name")):
+                label = element.get("label")
+                self.assertNotRegex(label, "(Source|Filter)$")
+                self.assertTrue(callable(getattr(simple, label.replace(" ", ""), None)))
+                menu = element.find("Hints/ShowInMenu")
+                if menu is not None:
+                    self.assertRegex(menu.get("icon", ""), r"^:/pqWidgets/Icons/\w+\.(svg|png)$")
+                    self.assertRegex(menu.get("category"), "^Waft")
+
+    def test_former_names_of_choices_are_for_scripts_alone(self):
+        """A panel lists the last domain of a property."""
+        animation = simple.WaftAnimation()
+        held = animation.SMProxy.GetProperty("Quality")
+        listed = held.GetDomain("enum")
+        self.assertEqual([listed.GetEntryText(i) for i in range(listed.GetNumberOfEntries())],
+                         ["Preview", "Air", "Full", "As in the 2005 paper"])
+        for word, number, shown in (("Assimilated", 1, "Air"), ("Paper", 3, "As in the 2005 paper"), ("Full", 2, "Full")):
+            animation.Quality = word
+            self.assertEqual((held.GetElement(0), animation.Quality), (number, shown))
 
     def test_everything_is_documented(self):
         for path, element in described_proxies():
@@ -126,10 +150,12 @@ class ProxyTest(unittest.TestCase):
         for path, element in described_proxies():
             name = element.get("name")
             with self.subTest(file=path, name=name):
-                page, = (page for page in packed if page.endswith(f".{name}.html"))
-                self.assertIsNotNone(servermanager.ProxyManager().GetPrototypeProxy(page.partition(".")[0], name), page)
-                text = zlib.decompress(packed[page][4:]).decode("utf-8")  # its length is before it
-                self.assertIn(element.find("Documentation").text.split()[0], text)
+                pages = [page for page in packed if page.endswith(f".{name}.html")]
+                self.assertTrue(pages)
+                for page in pages:
+                    self.assertIsNotNone(servermanager.ProxyManager().GetPrototypeProxy(page.partition(".")[0], name), page)
+                texts = [zlib.decompress(packed[page][4:]).decode("utf-8") for page in pages]  # its length is before it
+                self.assertIn(element.find("Documentation").text.split()[0], "".join(texts))
 
     def test_panels_speak_of_properties_that_are_there(self):
         groups = decorators = 0
@@ -181,8 +207,10 @@ class ProxyTest(unittest.TestCase):
                     self.assertEqual(held.get("panel_visibility"), "never", path)
                 if held.get("name") == "Edits":  # scripts have nothing of what is never shown
                     self.assertEqual((held.get("panel_visibility"), held.find("Hints/PropertyWidgetDecorator").get("value")), ("advanced", ""))
-                if held.get("name") in ("Complete", "WorkDone", "Message"):  # Python has no attribute of what is never shown
+                if held.get("name") in ("Complete", "WorkDone", "SecondsLeft", "Message"):  # Python has no attribute of what is never shown
                     self.assertEqual(held.get("panel_visibility"), "advanced", path)
+                    decorator = held.find("Hints/PropertyWidgetDecorator")
+                    self.assertEqual((decorator.get("property"), decorator.get("values"), decorator.get("inverse")), ("Complete", "0 1", "1"))
 
     def test_an_optional_input_can_be_taken_away(self):
         some = simple.Sphere()

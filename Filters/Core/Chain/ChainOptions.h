@@ -48,13 +48,14 @@ struct FlightOptions
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(TextField("FileName", "The scene file. Setting it reads the file anew."), of.FileName...);
-    visit(OptionField{ "Quality",
-                       { 0, 3 },
-                       "",
-                       "How objects come to their marks. Preview: drift in one air on a coarse "
-                       "grid. Air (Assimilated before): the same on the full grid. Full: the "
-                       "optimiser from there. Paper: the optimiser from the plan, gas at rest." },
-          of.Quality...);
+    visit(
+      OptionField{ "Quality",
+                   { 0, 3 },
+                   "",
+                   "Preview: drift in coarse air, the fastest. Air: drift in fine air. Full: the "
+                   "optimiser besides. As in the 2005 paper: the optimiser alone, in air "
+                   "at rest." },
+      of.Quality...);
     visit(
       OptionField{
         "Seed", { -1, 2147483647 }, "", "Another seed is another motion through the same marks." }

@@ -78,14 +78,12 @@ struct DatabaseOptions : AirRun
                        "Simulations, each with vortices, winds and obstacles of its own; at most, "
                        "when StopBelow is set." },
           of.NumberOfSimulations...);
-    visit(
-      OptionField{ "StopBelow",
-                   { 0, 1 },
-                   "",
-                   "The first simulation of whose segments a smaller fraction than this is new is "
-                   "the last, 0.05 for one in twenty; 0: all are run. New is what is farther "
-                   "from all before than CoverageTolerance." },
-      of.StopBelow...);
+    visit(OptionField{ "StopBelow",
+                       { 0, 1 },
+                       "",
+                       "Stop once less than this share of what a simulation brings is new, 0 "
+                       "to 1; 0: run them all." },
+          of.StopBelow...);
     visit(
       OptionField{ "CoverageTolerance",
                    { 1e-6, 1 },

@@ -36,11 +36,12 @@ struct TurningOptions
                        "1/s",
                        "Rate at which rotation dies away besides the air's drag, per second." },
           of.Damping...);
-    visit(OptionField{ "Lift",
-                       { 0, 4 },
-                       "",
-                       "Extra slope of the normal force at small angles of attack (Plate)." },
-          of.Lift...);
+    visit(
+      OptionField{ "Lift",
+                   { 0, 4 },
+                   "",
+                   "Extra lift where a body meets the air at a flat angle: more glides farther." },
+      of.Lift...);
     visit(OptionField{ "PressureShift",
                        { 0, 1 },
                        "",
@@ -56,16 +57,15 @@ struct TurningOptions
     visit(OptionField{ "Roll",
                        { 0, 4 },
                        "",
-                       "How readily a body rolls on when it turns over: 0 flutters and glides "
-                       "only, 1 is a plate's own, more tumbles sooner and longer (Plate)." },
+                       "How readily bodies tumble: 0 flutters and glides, 1 is natural, more "
+                       "tumbles longer." },
           of.Roll...);
-    visit(
-      OptionField{ "Spin",
-                   { -1, 1 },
-                   "rad",
-                   "Spin about the body's normal, like a winged seed's: the pitch of a propeller "
-                   "in radians; 0.05 to 0.2 spins visibly, the sign says which way (Plate)." },
-      of.Spin...);
+    visit(OptionField{ "Spin",
+                       { -1, 1 },
+                       "rad",
+                       "Spin like a winged seed's, in radians of pitch: 0.05 to 0.2 is seen; "
+                       "below 0 the other way." },
+          of.Spin...);
     visit(OptionField{ "VariationPerObject",
                        { 0, 0.5 },
                        "",
@@ -75,9 +75,8 @@ struct TurningOptions
     visit(OptionField{ "MaximumTurn",
                        { 0, 180 },
                        "degrees",
-                       "The most that a body turns from a frame to the next, in degrees: flutter "
-                       "and tumbling that frames cannot show are slowed to it. 0: by the body's "
-                       "width, so that an eye can follow; narrow bodies turn as wider ones do." },
+                       "Most degrees that a body turns from frame to frame; 0: as an eye can "
+                       "follow bodies of its width." },
           of.MaximumTurn...);
     visit(
       OptionField{ "RasterSize",

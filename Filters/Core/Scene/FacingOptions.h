@@ -29,14 +29,13 @@ struct FacingOptions
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
-    visit(
-      OptionField{ "Facing",
-                   limits::Direction,
-                   "",
-                   "Direction within a cone about which the normal of a body, its z axis, is at "
-                   "the frame of a position; zero: as it flies.",
-                   { -1, 1 } },
-      of.Facing...);
+    visit(OptionField{ "Facing",
+                       limits::Direction,
+                       "",
+                       "Where the upper side of a body looks at a mark: x, y, z of a "
+                       "direction; 0, 0, 0: as it flies.",
+                       { -1, 1 } },
+          of.Facing...);
     visit(OptionField{ "FacingTolerance", FacingTolerances, "rad",
                        "Half the opening of that cone, in radians." },
           of.FacingTolerance...);

@@ -34,8 +34,8 @@ struct SkinOptions
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
-    visit(TextField("SaveSkinAs", "PNG file that the skin is saved as, a new one or one saved here "
-                                  "before: others are left alone; empty: not saved."),
+    visit(TextField("SaveSkinAs", "PNG file to save the painted skin in; no other picture is "
+                                  "replaced by it."),
           of.SaveSkinAs...);
     visit(OptionField{ "TextureSize", TexturePixels, "", "Pixels of the skin along the length." },
           of.TextureSize...);

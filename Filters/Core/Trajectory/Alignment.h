@@ -35,14 +35,12 @@ struct RotationRange
   template <class Visitor, class... Holder>
   static void VisitFreedom(Visitor&& visit, Holder&... of)
   {
-    visit(
-      OptionField{
-        "RotationFreedom",
-        { 0, 2 },
-        "",
-        "Which rotations may carry a segment to its place: about the vertical, leaning by at most "
-        "Max Tilt (20 degrees unless set) as well, or any (many segments then fly upside down)." },
-      of.RotationFreedom...);
+    visit(OptionField{ "RotationFreedom",
+                       { 0, 2 },
+                       "",
+                       "How pieces of flight may be turned: Yaw about the vertical, Yaw and "
+                       "tilt by up to Max Tilt as well, Any even upside down." },
+          of.RotationFreedom...);
   }
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)

@@ -67,15 +67,12 @@ struct AssimilationOptions
                        "Points of the lattice of the air that objects drift in and that is given "
                        "out, along the longest side." },
           of.LatticeResolution...);
-    visit(
-      OptionField{
-        "Candidates",
-        { 1, 256 },
-        "",
-        "Airs that are tried by coarse simulations: draws of the forces, and of each its "
-        "quarter turns and mirror images where nothing forbids them. The one goes "
-        "on in which objects need the least control and move as bodies do." },
-      of.Candidates...);
+    visit(OptionField{ "Candidates",
+                       { 1, 256 },
+                       "",
+                       "Airs that are tried coarsely; the one that needs the least help is "
+                       "flown in. More take longer." },
+          of.Candidates...);
     visit(OptionField{ "Starts",
                        { 0, 1000 },
                        "",
@@ -124,9 +121,8 @@ struct AssimilationOptions
     visit(OptionField{ "Glide",
                        { 0, 1 },
                        "",
-                       "How much of the way that its pose gives it through the air a body goes: 1 "
-                       "glides and sweeps from side to side, 0 sinks straight down whatever its "
-                       "pose. No effect without Shapes, and with Inertia." },
+                       "1: bodies glide and sweep from side to side; 0: they sink straight "
+                       "down. Needs Shapes." },
           of.Glide...);
     visit(FlagField("Inertia",
                     "Bodies come after the air as g / SettlingSpeed has it, instead of at once."),
