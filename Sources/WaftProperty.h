@@ -96,4 +96,46 @@ public:                                                                         
   }                                                                                                \
   vtkGetCharFromStdStringMacro(name)
 
+/// Of a class whose work may be done in slices (vtkSlicedPolyDataAlgorithm says how); its Kept() is
+/// the work. SliceOptions is a friend.
+///
+/// SetSlice: seconds of work after which an update shows the motion so far, to go on from there
+/// when it is asked to; 0: all at once. The motion comes to the same bits. 0 to 1e+09. Does not
+/// modify the stage: it holds from the next piece of work on. WorkInSlices: works as a window wants
+/// it: a Slice of 0.2 s, and on from there beside the updates. GoOn: the next update goes on with
+/// the work that has not ended, and where it goes on beside shows what it has come to; nothing
+/// where none is. Hold: work that goes on beside waits, from its next tick on, until an update
+/// after GoOn, which then shows it without waiting and lets it go. LetGo: discards the work that
+/// has not ended, and the motion that there is: of a stage that nobody sees any more, which a
+/// window may keep for a while. The next update begins anew. GetComplete: 1 when nothing is left to
+/// do: what the last update gave is the whole result, or it failed. 0 when it is not: the stage's
+/// own work has not ended, or an input is not complete. GetWorkState, GetWorkDone, GetWorkText,
+/// GetSecondsLeft: of the work that has not been shown whole: one of WorkStates (BESIDE: it goes on
+/// by itself, after Hold to its next tick; ARRIVED: it went on by itself to its end, which the next
+/// update after GoOn shows); 0 to 1 of it; what it does, or why it failed; seconds that it will
+/// take from here on by those that it took, below 0 while that is not known.
+#define WaftSlices                                                                                 \
+protected:                                                                                         \
+  double Slice = 0.0;                                                                              \
+                                                                                                   \
+public:                                                                                            \
+  enum WorkStates                                                                                  \
+  {                                                                                                \
+    NO_WORK,                                                                                       \
+    HELD,                                                                                          \
+    BESIDE,                                                                                        \
+    ARRIVED                                                                                        \
+  };                                                                                               \
+  void SetSlice(double seconds);                                                                   \
+  vtkGetMacro(Slice, double);                                                                      \
+  void WorkInSlices();                                                                             \
+  void GoOn();                                                                                     \
+  void Hold();                                                                                     \
+  void LetGo();                                                                                    \
+  int GetComplete();                                                                               \
+  int GetWorkState();                                                                              \
+  double GetWorkDone();                                                                            \
+  std::string GetWorkText();                                                                       \
+  double GetSecondsLeft()
+
 #endif

@@ -5,6 +5,7 @@
 #include "Bridge/Data/SmokeData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/FieldSweep.h"
+#include "Bridge/Pipeline/SlicedStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -64,35 +65,43 @@ const waft::StageInputs InputsOfSmoke = {
 
 } // namespace
 
-struct vtkGridSmokeSource::Internals
+/// The work is the first frame that is asked for: the air before it takes the most. The others are
+/// computed when they are asked for.
+struct vtkGridSmokeSource::Internals : waft::KeptStage
 {
-  waft::StageCache Cache;
-  waft::FieldSweep Fields{ ObstaclesIn, WindIn };
-  waft::SceneInfo Info;
+  vtkGridSmokeSource* Self;
   std::vector<waft::Vortex> Vortices;
   std::vector<waft::ObstacleMesh> Obstacles;
   waft::SmokeSeries Series;
+  int First = 0; // frame
 
-  waft::SceneInfo SceneOf(const vtkGridSmokeSource& self) const;
-  waft::Result Begin(const vtkGridSmokeSource& self, vtkInformationVector** inputs);
-  /// Fills the outputs; frame becomes an earlier one when the stage was stopped.
-  waft::Result Show(vtkGridSmokeSource& self, int& frame, vtkInformationVector* outputs);
+  explicit Internals(vtkGridSmokeSource* self) :
+    KeptStage(self, waft::FieldSweep::NoPort, ObstaclesIn, WindIn), Self(self)
+  {
+  }
+  ~Internals() override { this->Discard(); }
+  double Slice() const override { return this->Self->Slice; }
+  void Clear() override { this->Series = waft::SmokeSeries(); }
+  void TakeScene(vtkInformation* request, vtkInformationVector* outputs);
+  waft::Result Begin(vtkInformationVector** inputs);
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  waft::Result ShowFrame(vtkInformationVector* outputs);
 };
 
-waft::SceneInfo vtkGridSmokeSource::Internals::SceneOf(const vtkGridSmokeSource& self) const
+void vtkGridSmokeSource::Internals::TakeScene(vtkInformation* request,
+                                              vtkInformationVector* outputs)
 {
-  waft::SceneInfo info;
-  const double* b = self.Bounds;
-  info.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
-  info.Time = waft::Timeline{ self.NumberOfFrames, self.FramesPerSecond };
-  info.AirDensity = self.AirDensity;
-  info.Seed = static_cast<std::uint64_t>(self.Seed);
-  return info;
+  const double* b = this->Self->Bounds;
+  this->Scene.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
+  this->Scene.Time = waft::Timeline{ this->Self->NumberOfFrames, this->Self->FramesPerSecond };
+  this->Scene.AirDensity = this->Self->AirDensity;
+  this->Scene.Seed = static_cast<std::uint64_t>(this->Self->Seed);
+  this->First = this->FrameAt(waft::RequestedTimeOfAll(request, outputs, this->Scene.Time));
 }
 
-waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self,
-                                                  vtkInformationVector** inputs)
+waft::Result vtkGridSmokeSource::Internals::Begin(vtkInformationVector** inputs)
 {
+  const vtkGridSmokeSource& self = *this->Self;
   const auto options = waft::OptionsOf<waft::SmokeOptions>(self);
   WAFT_RETURN_IF_FAILED(options.Validate());
   auto scene = waft::OptionsOf<waft::EnsembleOptions>(self);
@@ -133,7 +142,7 @@ waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self
   input.Forces = std::move(random.Forces);
   input.Forces.Vortices = this->Vortices;
   input.Forces.Wind = this->Fields.TakeWind();
-  input.NumberOfFrames = this->Info.Time.NumberOfFrames;
+  input.NumberOfFrames = this->Scene.Time.NumberOfFrames;
   input.CacheLimit = static_cast<std::size_t>(self.CacheLimit) * Megabyte;
   if (!this->Obstacles.empty())
   {
@@ -144,24 +153,40 @@ waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self
   return this->Series.Begin(std::move(input));
 }
 
-waft::Result vtkGridSmokeSource::Internals::Show(vtkGridSmokeSource& self, int& frame,
-                                                 vtkInformationVector* outputs)
+waft::Result vtkGridSmokeSource::Internals::Run(vtkInformationVector** inputs,
+                                                waft::Monitor& monitor)
 {
-  waft::StageMonitor monitor(&self);
+  const int first = this->First;
+  WAFT_RETURN_IF_FAILED(this->Begin(inputs));
+  std::shared_ptr<const waft::SmokeFrame> fields;
+  return this->Slice() > 0.0 ? this->Series.At(first, waft::SmpFor(), monitor, fields)
+                             : waft::Result::Ok();
+}
+
+waft::Result vtkGridSmokeSource::Internals::ShowFrame(vtkInformationVector* outputs)
+{
+  int frame = this->First;
+  waft::StageMonitor monitor(this->Self);
   std::shared_ptr<const waft::SmokeFrame> fields;
   WAFT_RETURN_IF_FAILED(this->Series.At(frame, waft::SmpFor(), monitor, fields));
   if (fields)
   {
-    frame = fields->Frame;
-    waft::SmokeFrameToImage(*fields, this->Info, vtkImageData::GetData(outputs, SmokeOut));
+    frame = fields->Frame; // an earlier one where the stage was stopped
+    waft::SmokeFrameToImage(*fields, this->Scene, vtkImageData::GetData(outputs, SmokeOut));
   }
-  waft::VorticesToPolyData(this->Vortices, this->Info, vtkPolyData::GetData(outputs, VorticesOut));
-  waft::ObstaclesToPolyData(this->Obstacles, frame, this->Info,
+  waft::VorticesToPolyData(this->Vortices, this->Scene, vtkPolyData::GetData(outputs, VorticesOut));
+  waft::ObstaclesToPolyData(this->Obstacles, frame, this->Scene,
                             vtkPolyData::GetData(outputs, ObstaclesOut));
+  for (int port = 0; port < NumberOfOutputs; ++port)
+  {
+    vtkDataObject::GetData(outputs, port)
+      ->GetInformation()
+      ->Set(vtkDataObject::DATA_TIME_STEP(), this->Scene.Time.Time(frame));
+  }
   return waft::Result::Ok();
 }
 
-vtkGridSmokeSource::vtkGridSmokeSource() : Impl(std::make_unique<Internals>())
+vtkGridSmokeSource::vtkGridSmokeSource() : Impl(std::make_unique<Internals>(this))
 {
   waft::TakeDefaults<waft::SmokeOptions, waft::EnsembleOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
@@ -195,10 +220,10 @@ vtkTypeBool vtkGridSmokeSource::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector** inputs,
                                                vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(this, request, inputs, outputs, InputsOfSmoke,
-                              waft::RangesOf<waft::SmokeOptions, waft::EnsembleOptions>(*this),
-                              [&](vtkInformationVector** taken)
-                              { return this->Process(request, taken, outputs); });
+  return waft::GuardedRequest(
+    this, request, inputs, outputs, InputsOfSmoke,
+    waft::RangesOf<waft::SmokeOptions, waft::EnsembleOptions, waft::SliceOptions>(*this),
+    [&](vtkInformationVector** taken) { return this->Process(request, taken, outputs); });
 }
 
 int vtkGridSmokeSource::Process(vtkInformation* request, vtkInformationVector** inputs,
@@ -210,9 +235,7 @@ int vtkGridSmokeSource::Process(vtkInformation* request, vtkInformationVector** 
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
-    this->Impl->Fields.RequestSteps(this, request, inputs, outputs,
-                                    this->Impl->Cache.IsCurrent(this, inputs));
-    return 1;
+    return this->Impl->RequestUpdateExtent(request, inputs, outputs);
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
@@ -238,43 +261,33 @@ int vtkGridSmokeSource::RequestData(vtkInformation* request, vtkInformationVecto
                                     vtkInformationVector* outputs)
 {
   Internals& impl = *this->Impl;
-  if (!impl.Cache.IsCurrent(this, inputs))
+  impl.TakeScene(request, outputs);
+  impl.RequestData(request, inputs, outputs);
+  const bool goesOn = request->Has(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING()) != 0;
+  if (goesOn || waft::HasFailed(this) || !impl.IsComplete())
   {
-    impl.Info = impl.SceneOf(*this);
-    waft::Result result = impl.Fields.Take(inputs, impl.Info.Time);
-    if (result && impl.Fields.Continue(request))
-    {
-      return 1;
-    }
-    result = result ? impl.Begin(*this, inputs) : result;
-    if (!result)
-    {
-      impl.Fields.Reset(request);
-      impl.Cache.Forget();
-      return waft::Fail(this, outputs, result.Message());
-    }
-    impl.Cache.MarkCurrent(this, inputs);
+    return 1;
   }
-  const double time = waft::RequestedTimeOfAll(request, outputs, impl.Info.Time);
-  int frame = static_cast<int>(std::lround(time * impl.Info.Time.FramesPerSecond));
-  const waft::Result shown = impl.Show(*this, frame, outputs);
+  const waft::Result shown = impl.ShowFrame(outputs);
   if (!shown)
   {
-    impl.Cache.Forget();
+    impl.LetGo();
     return waft::Fail(this, outputs, shown.Message());
-  }
-  for (int port = 0; port < NumberOfOutputs; ++port)
-  {
-    vtkDataObject::GetData(outputs, port)
-      ->GetInformation()
-      ->Set(vtkDataObject::DATA_TIME_STEP(), impl.Info.Time.Time(frame));
   }
   return 1;
 }
 
+waft::KeptStage& vtkGridSmokeSource::Kept()
+{
+  return *this->Impl;
+}
+
+WaftSlicesOf(vtkGridSmokeSource);
+
 void vtkGridSmokeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  waft::PrintFields<waft::SmokeOptions, waft::EnsembleOptions>(os, indent, *this);
+  waft::PrintFields<waft::SmokeOptions, waft::EnsembleOptions, waft::SliceOptions>(os, indent,
+                                                                                   *this);
   os << indent << "CacheLimit: " << this->CacheLimit << "\n";
 }

@@ -35,6 +35,8 @@ namespace waft
 {
 struct AirRun;
 struct EnsembleOptions;
+class KeptStage;
+struct SliceOptions;
 struct SmokeOptions;
 }
 
@@ -93,6 +95,8 @@ public:
   WaftVector(double, WindDuration, 2);
   WaftVector(double, ObstacleSize, 2);
 
+  WaftSlices;
+
   ///@{
   /** Memory for frames and checkpoints that are kept [MB]. */
   vtkSetClampMacro(CacheLimit, int, 1, VTK_INT_MAX);
@@ -132,7 +136,9 @@ private:
   friend struct waft::AirRun;
   friend struct waft::SmokeOptions;
   friend struct waft::EnsembleOptions;
-  int CacheLimit = 2048;
+  friend struct waft::SliceOptions;
+  waft::KeptStage& Kept();
+  int CacheLimit = 512;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

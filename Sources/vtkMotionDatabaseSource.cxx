@@ -3,6 +3,7 @@
 
 #include "Bridge/Data/DatabaseConversion.h"
 #include "Bridge/Pipeline/Ranks.h"
+#include "Bridge/Pipeline/SlicedStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Database/DatabaseBuild.h"
@@ -11,7 +12,6 @@
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiProcessController.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkTable.h>
 
@@ -23,35 +23,67 @@ vtkStandardNewMacro(vtkMotionDatabaseSource);
 namespace
 {
 
-/// Progress and abort of a stage, and an end in time.
-class TimedMonitor : public waft::StageMonitor
+/// A monitor with an end in time.
+class TimedMonitor : public waft::Monitor
 {
 public:
   /// limit: s; 0: none.
-  TimedMonitor(vtkAlgorithm* stage, double limit) : StageMonitor(stage), Limit(limit) {}
+  TimedMonitor(waft::Monitor& whole, double limit) : Whole(whole), Limit(limit) {}
   bool Tick(double fraction, const std::string& text) override
   {
     const std::chrono::duration<double> passed = Clock::now() - this->Start;
-    return StageMonitor::Tick(fraction, text) &&
-           (this->Limit <= 0.0 || passed.count() < this->Limit);
+    return this->Whole.Tick(fraction, text) && (this->Limit <= 0.0 || passed.count() < this->Limit);
   }
 
 private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point Start = Clock::now();
+  waft::Monitor& Whole;
   double Limit;
+};
+
+enum DatabaseOutput
+{
+  DatabasePort,
+  CoveragePort
 };
 
 } // namespace
 
-struct vtkMotionDatabaseSource::Internals
+struct vtkMotionDatabaseSource::Internals : waft::KeptStage
 {
-  waft::StageCache Cache;
-  vtkNew<vtkMultiBlockDataSet> Kept; // the database
-  vtkNew<vtkTable> KeptCoverage;
+  vtkMotionDatabaseSource* Self;
+
+  explicit Internals(vtkMotionDatabaseSource* self) :
+    KeptStage(self, waft::FieldSweep::NoPort), Self(self)
+  {
+  }
+  ~Internals() override { this->Discard(); }
+  double Slice() const override { return this->Self->Slice; }
+  bool HasTime() const override { return false; }
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
 };
 
-vtkMotionDatabaseSource::vtkMotionDatabaseSource() : Impl(std::make_unique<Internals>())
+waft::Result vtkMotionDatabaseSource::Internals::Run(vtkInformationVector**, waft::Monitor& monitor)
+{
+  auto options = waft::OptionsOf<waft::DatabaseOptions>(*this->Self);
+  options.SimulationsAtOnce = waft::ItemsAtOnce();
+  TimedMonitor timed(monitor, this->Self->TimeLimit);
+  waft::ControllerCommunicator ranks(this->Self->Controller);
+  waft::MotionDatabase database;
+  std::vector<waft::CoveragePoint> coverage;
+  const waft::Result result =
+    waft::BuildDatabase(options, ranks, waft::SmpFor(), timed, database, coverage);
+  this->Rejoin();
+  if (result && !database.Segments.empty())
+  {
+    waft::DatabaseToMultiBlock(database, this->KeptStage::Kept<vtkMultiBlockDataSet>(DatabasePort));
+    waft::CoverageToTable(coverage, this->KeptStage::Kept<vtkTable>(CoveragePort));
+  }
+  return result;
+}
+
+vtkMotionDatabaseSource::vtkMotionDatabaseSource() : Impl(std::make_unique<Internals>(this))
 {
   waft::TakeDefaults<waft::DatabaseOptions>(*this);
   this->SetNumberOfInputPorts(0);
@@ -85,54 +117,30 @@ vtkTypeBool vtkMotionDatabaseSource::ProcessRequest(vtkInformation* request,
                                                     vtkInformationVector** inputs,
                                                     vtkInformationVector* outputs)
 {
-  std::vector<waft::PropertyRange> ranges = waft::RangesOf<waft::DatabaseOptions>(*this);
+  std::vector<waft::PropertyRange> ranges =
+    waft::RangesOf<waft::DatabaseOptions, waft::SliceOptions>(*this);
   ranges.emplace_back("TimeLimit", this->TimeLimit, waft::limits::UpTo(1e9));
   return waft::GuardedRequest(
     this, request, outputs, ranges,
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
-int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
+int vtkMotionDatabaseSource::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                          vtkInformationVector* outputs)
 {
-  Internals& impl = *this->Impl;
-  if (!impl.Cache.IsCurrent(this, inputs))
-  {
-    auto options = waft::OptionsOf<waft::DatabaseOptions>(*this);
-    impl.Cache.Forget();
-    waft::MotionDatabase database;
-    std::vector<waft::CoveragePoint> coverage;
-    TimedMonitor monitor(this, this->TimeLimit);
-    const waft::ParallelFor parallelFor = waft::SmpFor();
-    options.SimulationsAtOnce = waft::ItemsAtOnce();
-    waft::ControllerCommunicator ranks(this->Controller);
-    const waft::Result result =
-      waft::BuildDatabase(options, ranks, parallelFor, monitor, database, coverage);
-    if (!result)
-    {
-      return waft::Fail(this, outputs, result.Message());
-    }
-    if (result.IsStopped() && database.Segments.empty())
-    {
-      vtkMultiBlockDataSet::GetData(outputs)->Initialize();
-      vtkTable::GetData(outputs, 1)->Initialize();
-      return 1;
-    }
-    waft::DatabaseToMultiBlock(database, impl.Kept);
-    waft::CoverageToTable(coverage, impl.KeptCoverage);
-    if (!result.IsStopped())
-    {
-      impl.Cache.MarkCurrent(this, inputs);
-    }
-  }
-  vtkMultiBlockDataSet::GetData(outputs)->ShallowCopy(impl.Kept);
-  vtkTable::GetData(outputs, 1)->ShallowCopy(impl.KeptCoverage);
-  return 1;
+  return this->Impl->RequestData(request, inputs, outputs);
 }
+
+waft::KeptStage& vtkMotionDatabaseSource::Kept()
+{
+  return *this->Impl;
+}
+
+WaftSlicesOf(vtkMotionDatabaseSource);
 
 void vtkMotionDatabaseSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  waft::PrintFields<waft::DatabaseOptions>(os, indent, *this);
+  waft::PrintFields<waft::DatabaseOptions, waft::SliceOptions>(os, indent, *this);
   os << indent << "TimeLimit: " << this->TimeLimit << " s\n";
 }

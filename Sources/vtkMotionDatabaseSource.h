@@ -36,7 +36,9 @@ struct ClusterTreeOptions;
 struct ConnectionOptions;
 struct DatabaseOptions;
 struct EnsembleOptions;
+class KeptStage;
 struct RotationRange;
+struct SliceOptions;
 struct TraceOptions;
 }
 
@@ -60,6 +62,8 @@ public:
   WaftProperty(double, StopBelow);
   WaftProperty(double, CoverageTolerance);
   WaftText(KeptIn);
+
+  WaftSlices;
 
   ///@{
   /** The run is stopped after this many seconds, as by an abort; 0: none. */
@@ -126,9 +130,12 @@ private:
   friend struct waft::DatabaseOptions;
   friend struct waft::EnsembleOptions;
   friend struct waft::RotationRange;
+  friend struct waft::SliceOptions;
   friend struct waft::TraceOptions;
   double TimeLimit = 0.0;
   vtkSmartPointer<vtkMultiProcessController> Controller;
+
+  waft::KeptStage& Kept();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

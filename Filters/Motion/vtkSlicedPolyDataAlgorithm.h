@@ -13,6 +13,7 @@
 #ifndef vtkSlicedPolyDataAlgorithm_h
 #define vtkSlicedPolyDataAlgorithm_h
 
+#include "WaftProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -30,43 +31,7 @@ public:
   vtkAbstractTypeMacro(vtkSlicedPolyDataAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** Seconds of work after which an update shows the motion so far, to go on from there when it is
-   * asked to; 0: all at once. The motion comes to the same bits. 0 to 1e+09. Does not modify the
-   * stage: it holds from the next piece of work on. */
-  void SetSlice(double seconds);
-  vtkGetMacro(Slice, double);
-  ///@}
-  /** Works as a window wants it: a Slice of 0.2 s, and on from there beside the updates. */
-  void WorkInSlices();
-  /** The next update goes on with the work that has not ended, and where it goes on beside shows
-   * what it has come to; nothing where none is. */
-  void GoOn();
-  /** Work that goes on beside waits, from its next tick on, until an update after GoOn, which then
-   * shows it without waiting and lets it go. */
-  void Hold();
-  /** Discards the work that has not ended, and the motion that there is: of a stage that nobody
-   * sees any more, which a window may keep for a while. The next update begins anew. */
-  void LetGo();
-  /** 1 when nothing is left to do: what the last update gave is the whole result, or it failed. 0
-   * when it is not: the stage's own work has not ended, or an input is not complete. */
-  int GetComplete();
-  enum WorkStates
-  {
-    NO_WORK,
-    HELD,
-    BESIDE, // it goes on by itself, after Hold to its next tick
-    ARRIVED // it went on by itself to its end, which the next update after GoOn shows
-  };
-  ///@{
-  /** Of the work that has not been shown whole: one of WorkStates; 0 to 1 of it; what it does, or
-   * why it failed; seconds that it will take from here on by those that it took, below 0 while that
-   * is not known. */
-  int GetWorkState();
-  double GetWorkDone();
-  std::string GetWorkText();
-  double GetSecondsLeft();
-  ///@}
+  WaftSlices;
 
 protected:
   vtkSlicedPolyDataAlgorithm();
@@ -74,10 +39,8 @@ protected:
 
   virtual waft::KeptStage& Kept() = 0;
 
-  friend struct waft::SliceOptions;
-  double Slice = 0.0;
-
 private:
+  friend struct waft::SliceOptions;
   vtkSlicedPolyDataAlgorithm(const vtkSlicedPolyDataAlgorithm&) = delete;
   void operator=(const vtkSlicedPolyDataAlgorithm&) = delete;
 };

@@ -7,6 +7,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
+#include "Bridge/Pipeline/SlicedStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -16,7 +17,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -25,14 +25,6 @@
 #include <string>
 
 vtkStandardNewMacro(vtkTrajectoryClusterFilter);
-
-struct vtkTrajectoryClusterFilter::Internals
-{
-  waft::StageCache Cache;
-  vtkNew<vtkMultiBlockDataSet> Kept; // the database
-
-  static waft::ClusterOptions Options(vtkTrajectoryClusterFilter* self);
-};
 
 namespace
 {
@@ -103,18 +95,57 @@ const waft::StageInputs Inputs = {
 
 } // namespace
 
-waft::ClusterOptions vtkTrajectoryClusterFilter::Internals::Options(
-  vtkTrajectoryClusterFilter* self)
+struct vtkTrajectoryClusterFilter::Internals : waft::KeptStage
+{
+  vtkTrajectoryClusterFilter* Self;
+
+  explicit Internals(vtkTrajectoryClusterFilter* self) :
+    KeptStage(self, waft::FieldSweep::NoPort), Self(self)
+  {
+  }
+  ~Internals() override { this->Discard(); }
+  double Slice() const override { return this->Self->Slice; }
+  bool HasTime() const override { return false; }
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  waft::ClusterOptions Options() const;
+};
+
+waft::ClusterOptions vtkTrajectoryClusterFilter::Internals::Options() const
 {
   waft::ClusterOptions options;
-  waft::CopyFields<waft::ClusterOptions>(*self, options);
-  waft::CopyFields<waft::SegmentationOptions>(*self, options.Segmentation);
-  waft::CopyFields<waft::ClusterTreeOptions>(*self, options.Trees);
-  waft::CopyFields<waft::ConnectionOptions>(*self, options.Connections);
+  waft::CopyFields<waft::ClusterOptions>(*this->Self, options);
+  waft::CopyFields<waft::SegmentationOptions>(*this->Self, options.Segmentation);
+  waft::CopyFields<waft::ClusterTreeOptions>(*this->Self, options.Trees);
+  waft::CopyFields<waft::ConnectionOptions>(*this->Self, options.Connections);
   return options;
 }
 
-vtkTrajectoryClusterFilter::vtkTrajectoryClusterFilter() : Impl(std::make_unique<Internals>())
+waft::Result vtkTrajectoryClusterFilter::Internals::Run(vtkInformationVector** inputs,
+                                                        waft::Monitor& monitor)
+{
+  const waft::ClusterOptions options = this->Options();
+  waft::ClusterInput input;
+  std::set<std::string> lacking;
+  WAFT_RETURN_IF_FAILED(Gather(inputs, input, lacking));
+  waft::MotionDatabase database;
+  const waft::Result result =
+    waft::ClusterTrajectories(input, options, waft::SmpFor(), monitor, database);
+  this->Rejoin();
+  if (!lacking.empty())
+  {
+    waft::SceneInfo taken;
+    taken.Bounds = input.Volume;
+    taken.Time.FramesPerSecond = input.FramesPerSecond;
+    this->Warnings.push_back(waft::DefaultsText(lacking, taken));
+  }
+  if (result && !result.IsStopped())
+  {
+    waft::DatabaseToMultiBlock(database, this->KeptStage::Kept<vtkMultiBlockDataSet>(0));
+  }
+  return result;
+}
+
+vtkTrajectoryClusterFilter::vtkTrajectoryClusterFilter() : Impl(std::make_unique<Internals>(this))
 {
   waft::TakeDefaults<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
                      waft::ConnectionOptions>(*this);
@@ -141,7 +172,7 @@ vtkTypeBool vtkTrajectoryClusterFilter::ProcessRequest(vtkInformation* request,
   return waft::GuardedRequest(
     this, request, inputs, outputs, Inputs,
     waft::RangesOf<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
-                   waft::ConnectionOptions>(*this),
+                   waft::ConnectionOptions, waft::SliceOptions>(*this),
     [&](vtkInformationVector** taken)
     { return this->Superclass::ProcessRequest(request, taken, outputs); });
 }
@@ -155,43 +186,18 @@ int vtkTrajectoryClusterFilter::RequestInformation(vtkInformation*, vtkInformati
   return 1;
 }
 
-int vtkTrajectoryClusterFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+int vtkTrajectoryClusterFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                             vtkInformationVector* outputs)
 {
-  Internals& impl = *this->Impl;
-  if (!impl.Cache.IsCurrent(this, inputs))
-  {
-    impl.Cache.Forget();
-    waft::ClusterInput input;
-    waft::MotionDatabase database;
-    waft::StageMonitor monitor(this);
-    std::set<std::string> lacking;
-    waft::Result result = Gather(inputs, input, lacking);
-    if (result && !lacking.empty())
-    {
-      waft::SceneInfo taken;
-      taken.Bounds = input.Volume;
-      taken.Time.FramesPerSecond = input.FramesPerSecond;
-      vtkWarningMacro(<< waft::DefaultsText(lacking, taken));
-    }
-    result = result ? waft::ClusterTrajectories(input, Internals::Options(this), waft::SmpFor(),
-                                                monitor, database)
-                    : result;
-    if (!result)
-    {
-      return waft::Fail(this, outputs, result.Message());
-    }
-    if (result.IsStopped())
-    {
-      vtkMultiBlockDataSet::GetData(outputs)->Initialize();
-      return 1;
-    }
-    waft::DatabaseToMultiBlock(database, impl.Kept);
-    impl.Cache.MarkCurrent(this, inputs);
-  }
-  vtkMultiBlockDataSet::GetData(outputs)->ShallowCopy(impl.Kept);
-  return 1;
+  return this->Impl->RequestData(request, inputs, outputs);
 }
+
+waft::KeptStage& vtkTrajectoryClusterFilter::Kept()
+{
+  return *this->Impl;
+}
+
+WaftSlicesOf(vtkTrajectoryClusterFilter);
 
 void vtkTrajectoryClusterFilter::RemoveAllVortices()
 {
@@ -202,5 +208,5 @@ void vtkTrajectoryClusterFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
-                    waft::ConnectionOptions>(os, indent, *this);
+                    waft::ConnectionOptions, waft::SliceOptions>(os, indent, *this);
 }

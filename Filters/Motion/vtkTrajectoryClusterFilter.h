@@ -31,8 +31,10 @@ namespace waft
 struct ClusterOptions;
 struct ClusterTreeOptions;
 struct ConnectionOptions;
+class KeptStage;
 struct SegmentationOptions;
 struct RotationRange;
+struct SliceOptions;
 }
 
 class VTKWAFTFILTERS_EXPORT vtkTrajectoryClusterFilter : public vtkMultiBlockDataSetAlgorithm
@@ -65,6 +67,8 @@ public:
   WaftOpenProperty(double, NotConnectible);
   WaftProperty(int, Seed);
 
+  WaftSlices;
+
   /** Takes every connection from input port 1. */
   void RemoveAllVortices();
 
@@ -93,6 +97,9 @@ private:
   friend struct waft::ClusterTreeOptions;
   friend struct waft::ConnectionOptions;
   friend struct waft::SegmentationOptions;
+  friend struct waft::SliceOptions;
+
+  waft::KeptStage& Kept();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTrajectoryTraceFilter.h"
 
+#include "Base/SliceOptions.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/Blocks.h"
@@ -10,6 +11,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
+#include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -23,6 +25,8 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <algorithm>
+#include <chrono>
 #include <set>
 #include <string>
 #include <utility>
@@ -41,6 +45,8 @@ enum InputPort
   NumberOfInputs
 };
 
+constexpr const char* Doing = "Tracing trajectories";
+
 using waft::StageInput;
 
 const waft::StageInputs Inputs = {
@@ -53,6 +59,8 @@ const waft::StageInputs Inputs = {
 
 struct vtkTrajectoryTraceFilter::Internals
 {
+  using Clock = std::chrono::steady_clock;
+
   waft::StageCache Cache;
   waft::TimeSweep Sweep{ { FlowPort, ObstaclesPort } };
   waft::TrajectoryTracer Tracer;
@@ -63,13 +71,60 @@ struct vtkTrajectoryTraceFilter::Internals
   double LastTime = 0.0;
   waft::SceneInfo Info;
   vtkNew<vtkPolyData> Tracks;
+  // Of work in slices.
+  enum class Work
+  {
+    None,
+    Waits, // for an input that is not complete
+    Paused,
+    Held // paused, and not to go on
+  };
+  Work Now = Work::None;
+  waft::StageCache Paused; // for what the sweep has come so far
+  bool IsWithin = false;   // an update
+  Clock::time_point Began; // the update
+  double Worked = 0.0;     // s
 
   waft::Result Begin(vtkAlgorithm* stage, vtkInformationVector** inputs,
                      const waft::TraceOptions& options);
   waft::Result UpdateObstacles(vtkDataObject* data);
   waft::Result Feed(vtkInformationVector** inputs, bool isFirst);
   waft::Result FeedSteady(vtkInformationVector** inputs);
+  bool IsUnfinished() const { return this->Now != Work::None; }
+  /// Begins an update where none is begun; seconds since it began.
+  double SinceBegin();
+  /// Of an update, with more to be done in the next.
+  int Leave(Work now, vtkInformationVector* outputs);
+  void StartAnew();
 };
+
+double vtkTrajectoryTraceFilter::Internals::SinceBegin()
+{
+  const Clock::time_point now = Clock::now();
+  if (!this->IsWithin)
+  {
+    this->IsWithin = true;
+    this->Began = now;
+  }
+  return std::chrono::duration<double>(now - this->Began).count();
+}
+
+int vtkTrajectoryTraceFilter::Internals::Leave(Work now, vtkInformationVector* outputs)
+{
+  this->Now = now;
+  this->IsWithin = false;
+  vtkPolyData::GetData(outputs)->Initialize();
+  waft::MarkUnfinished(outputs);
+  return 1;
+}
+
+void vtkTrajectoryTraceFilter::Internals::StartAnew()
+{
+  this->Sweep = waft::TimeSweep({ FlowPort, ObstaclesPort });
+  this->Now = Work::None;
+  this->IsWithin = false;
+  this->Worked = 0.0;
+}
 
 namespace
 {
@@ -200,11 +255,11 @@ vtkTypeBool vtkTrajectoryTraceFilter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector** inputs,
                                                      vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
-                              waft::RangesOf<waft::TraceOptions, waft::AnnotationOptions>(*this),
-                              [&](vtkInformationVector** taken) {
-                                return this->Superclass::ProcessRequest(request, taken, outputs);
-                              });
+  return waft::GuardedRequest(
+    this, request, inputs, outputs, Inputs,
+    waft::RangesOf<waft::TraceOptions, waft::AnnotationOptions, waft::SliceOptions>(*this),
+    [&](vtkInformationVector** taken)
+    { return this->Superclass::ProcessRequest(request, taken, outputs); });
 }
 
 int vtkTrajectoryTraceFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -218,6 +273,10 @@ int vtkTrajectoryTraceFilter::RequestUpdateExtent(vtkInformation* request,
                                                   vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)
 {
+  if (this->Impl->IsUnfinished() && !this->Impl->Paused.IsCurrent(this, inputs))
+  {
+    this->Impl->StartAnew();
+  }
   this->Impl->Sweep.RequestSteps(this, request, inputs, outputs,
                                  this->Impl->Cache.IsCurrent(this, inputs));
   return 1;
@@ -229,6 +288,12 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
   Internals& impl = *this->Impl;
   if (!impl.Cache.IsCurrent(this, inputs))
   {
+    impl.SinceBegin();
+    if (waft::HasUnfinishedInput(this, inputs))
+    {
+      impl.Sweep.Reset(request);
+      return impl.Leave(Internals::Work::Waits, outputs);
+    }
     auto options = waft::OptionsOf<waft::TraceOptions>(*this);
     waft::CopyFields<waft::AnnotationOptions>(*this, options.Annotation);
     const bool isFirst = impl.Sweep.IsFirst();
@@ -240,11 +305,21 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
       return waft::Fail(this, outputs, result.Message());
     }
     waft::StageMonitor monitor(this);
-    const bool goesOn = monitor.Tick(impl.Sweep.Fraction(), "Tracing trajectories");
-    if (goesOn && impl.Sweep.Continue(request))
+    const bool goesOn = monitor.Tick(impl.Sweep.Fraction(), Doing);
+    const double passed = impl.SinceBegin();
+    const bool isOver = this->Slice > 0.0 && passed >= this->Slice;
+    if (goesOn && (isOver ? impl.Sweep.Pause(request) : impl.Sweep.Continue(request)))
     {
-      return 1;
+      if (!isOver)
+      {
+        return 1;
+      }
+      monitor.Hold();
+      impl.Worked += passed;
+      impl.Paused.MarkCurrent(this, inputs);
+      return impl.Leave(Internals::Work::Paused, outputs);
     }
+    impl.StartAnew();
     impl.Sweep.Reset(request);
     result = goesOn ? impl.FeedSteady(inputs) : waft::Result::Ok();
     if (!result)
@@ -265,8 +340,73 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
   return 1;
 }
 
+void vtkTrajectoryTraceFilter::SetSlice(double seconds)
+{
+  this->Slice = std::clamp(seconds, 0.0, 1e+09);
+}
+
+void vtkTrajectoryTraceFilter::WorkInSlices()
+{
+  this->SetSlice(0.5);
+}
+
+void vtkTrajectoryTraceFilter::GoOn()
+{
+  Internals& impl = *this->Impl;
+  if (impl.Now == Internals::Work::Paused || impl.Now == Internals::Work::Held)
+  {
+    impl.Now = Internals::Work::Paused;
+    impl.Paused.Reawaken(this);
+  }
+}
+
+void vtkTrajectoryTraceFilter::Hold()
+{
+  Internals& impl = *this->Impl;
+  impl.Now = impl.Now == Internals::Work::Paused ? Internals::Work::Held : impl.Now;
+}
+
+void vtkTrajectoryTraceFilter::LetGo()
+{
+  this->GetOutput()->Initialize();
+  this->Impl->StartAnew();
+  this->Impl->Tracks->Initialize();
+  this->Impl->Cache.Forget();
+  this->Modified();
+}
+
+int vtkTrajectoryTraceFilter::GetComplete()
+{
+  return waft::HasFailed(this) || !this->Impl->IsUnfinished() ? 1 : 0;
+}
+
+int vtkTrajectoryTraceFilter::GetWorkState()
+{
+  return this->Impl->Now == Internals::Work::Paused ? ARRIVED
+         : this->Impl->Now == Internals::Work::Held ? HELD
+                                                    : NO_WORK;
+}
+
+double vtkTrajectoryTraceFilter::GetWorkDone()
+{
+  return this->Impl->IsUnfinished() ? this->Impl->Sweep.Fraction() : 1.0;
+}
+
+std::string vtkTrajectoryTraceFilter::GetWorkText()
+{
+  const char* text = this->Impl->IsUnfinished() ? Doing : this->GetProgressText();
+  return text != nullptr ? text : "";
+}
+
+double vtkTrajectoryTraceFilter::GetSecondsLeft()
+{
+  const double done = this->GetWorkDone();
+  return done > 0.0 ? this->Impl->Worked * (1.0 - done) / done : -1.0;
+}
+
 void vtkTrajectoryTraceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  waft::PrintFields<waft::TraceOptions, waft::AnnotationOptions>(os, indent, *this);
+  waft::PrintFields<waft::TraceOptions, waft::AnnotationOptions, waft::SliceOptions>(os, indent,
+                                                                                     *this);
 }

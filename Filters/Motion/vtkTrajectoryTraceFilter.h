@@ -18,6 +18,9 @@
  * section 3.1). A tracer ends at the last frame, at the boundary of the volume (field data
  * `Bounds`, else the image's) or at an obstacle. Frames per second come from the field data, else
  * from the time steps. Stopped half way, it gives the tracks up to there.
+ *
+ * With Slice an update pulls for about so many seconds; between two of them nothing goes on, since
+ * the flow comes by the pipeline. Until all is traced there are no tracks.
  */
 #ifndef vtkTrajectoryTraceFilter_h
 #define vtkTrajectoryTraceFilter_h
@@ -31,6 +34,7 @@
 namespace waft
 {
 struct AnnotationOptions;
+struct SliceOptions;
 struct TraceOptions;
 }
 
@@ -46,6 +50,8 @@ public:
   WaftProperty(double, VortexShare);
   WaftProperty(double, ForceFloor);
   WaftProperty(double, ShortestRun);
+
+  WaftSlices;
 
   ///@{
   /// Take an optional input away.
@@ -76,6 +82,7 @@ private:
 
   // Whose fields the properties are.
   friend struct waft::AnnotationOptions;
+  friend struct waft::SliceOptions;
   friend struct waft::TraceOptions;
 
   struct Internals;

@@ -120,8 +120,9 @@ int main()
     { "vtkVDBWriter", FieldsOf(waft::VolumeWriteOptions()) },
     { "vtkVortexSource", FieldsOf(waft::VortexSourceOptions()) },
     { "vtkWindSource", FieldsOf(waft::WindSourceOptions()) },
-    { "vtkGridSmokeSource", FieldsOf(waft::SmokeOptions(), waft::EnsembleOptions()) },
-    { "vtkMotionDatabaseSource", FieldsOf(waft::DatabaseOptions()) },
+    { "vtkGridSmokeSource",
+      FieldsOf(waft::SmokeOptions(), waft::EnsembleOptions(), waft::SliceOptions()) },
+    { "vtkMotionDatabaseSource", FieldsOf(waft::DatabaseOptions(), waft::SliceOptions()) },
     { "vtkRotationRefineFilter", FieldsOf(waft::RotationOptions(), waft::SliceOptions()) },
     { "vtkAirAssimilationFilter",
       FieldsOf(waft::AssimilationOptions(), waft::TurningOptions(), waft::SliceOptions()) },
@@ -130,8 +131,9 @@ int main()
       FieldsOf(waft::PlanOptions(), waft::TakeOptions(), waft::SliceOptions()) },
     { "vtkTrajectoryClusterFilter",
       FieldsOf(waft::ClusterOptions(), waft::SegmentationOptions(), waft::ClusterTreeOptions(),
-               waft::ConnectionOptions()) },
-    { "vtkTrajectoryTraceFilter", FieldsOf(waft::TraceOptions(), waft::AnnotationOptions()) },
+               waft::ConnectionOptions(), waft::SliceOptions()) },
+    { "vtkTrajectoryTraceFilter",
+      FieldsOf(waft::TraceOptions(), waft::AnnotationOptions(), waft::SliceOptions()) },
     { "vtkVortexFitFilter", FieldsOf(waft::VortexFitOptions()) },
   };
   std::cout << classes.dump(1) << "\n";

@@ -65,6 +65,8 @@ int vtkSMMotionRepresentationProxy::LoadXMLState(vtkPVXMLElement* element,
 void vtkSMMotionRepresentationProxy::UpdateVTKObjects()
 {
   vtkPVDataInformation* data = this->HasLook ? nullptr : this->Shown();
+  vtkPVXMLElement* late = nullptr;
+  this->WasEmpty = this->WasEmpty || (data != nullptr && data->GetNumberOfPoints() == 0);
   if (data != nullptr && data->GetNumberOfPoints() > 0)
   {
     this->HasLook = true;
@@ -77,11 +79,17 @@ void vtkSMMotionRepresentationProxy::UpdateVTKObjects()
           (color == nullptr || data->GetArrayInformation(color, AssociationOf(look)) != nullptr))
       {
         this->PutOn(look);
+        late = this->WasEmpty ? look : nullptr;
         break;
       }
     }
   }
   this->Superclass::UpdateVTKObjects();
+  if (late != nullptr && late->GetAttribute("color") != nullptr) // ParaView did so when it was made
+  {
+    this->SetScalarColoring(late->GetAttribute("color"), AssociationOf(late));
+    this->RescaleTransferFunctionToDataRange();
+  }
 }
 
 vtkPVDataInformation* vtkSMMotionRepresentationProxy::Shown()

@@ -46,6 +46,7 @@ private:
   bool ShowsMeasure();
 
   bool HasLook = false;
+  bool WasEmpty = false; // when it was made: its data come later
 };
 
 #endif

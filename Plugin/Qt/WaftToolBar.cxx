@@ -129,6 +129,7 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->connect(builder, &pqObjectBuilder::filterCreated, this, &WaftToolBar::onSourceMade);
   pqServerManagerModel* model = core->getServerManagerModel();
   this->connect(model, &pqServerManagerModel::sourceAdded, this, &WaftToolBar::onSourceAdded);
+  this->connect(model, &pqServerManagerModel::modifiedStateChanged, this, &WaftToolBar::onApplied);
   this->connect(model, &pqServerManagerModel::sourceRemoved, this, &WaftToolBar::onDataUpdated);
   this->connect(model, &pqServerManagerModel::preSourceRemoved, this,
                 [](pqPipelineSource* source) { waft::LetGo(source->getProxy()); });
@@ -167,6 +168,7 @@ void WaftToolBar::MoveDown()
     QAction* help =
       window->menuBar()->actions().isEmpty() ? nullptr : window->menuBar()->actions().last();
     window->menuBar()->insertMenu(help, this->Fly->Menu());
+    waft::NameInMenus(window);
   }
 }
 
@@ -204,6 +206,21 @@ void WaftToolBar::onSourceAdded(pqPipelineSource* source)
   {
     this->Remarks->ListenTo(source->getProxy());
     waft::WorkInSlices(source->getProxy());
+  }
+}
+
+// Before the window reads and draws, for which it stands still.
+void WaftToolBar::onApplied(pqServerManagerModelItem* item)
+{
+  auto* source = qobject_cast<pqPipelineSource*>(item);
+  if (source != nullptr && source->modifiedState() == pqProxy::UNMODIFIED &&
+      waft::WorksInSlices(source->getProxy()) && this->Now == State::Resting)
+  {
+    waft::WorkOfStages work;
+    work.Message = QString("Reading %1 ...").arg(source->getSMName());
+    this->Show(State::Working, work);
+    this->Bar->repaint();
+    this->onDataUpdated();
   }
 }
 

@@ -18,6 +18,7 @@ class WaftFollow;
 class WaftHold;
 class WaftRemarks;
 class pqPipelineSource;
+class pqServerManagerModelItem;
 
 namespace waft
 {
@@ -37,6 +38,7 @@ public:
 private Q_SLOTS:
   void onSourceMade(pqPipelineSource* source);
   void onSourceAdded(pqPipelineSource* source);
+  void onApplied(pqServerManagerModelItem* item);
   void onDataUpdated();
   void onTimer();
   void onStop();

@@ -27,6 +27,11 @@ class RoughTest(WindowTest):
     def test_it_ends_without_a_complaint(self):
         self.check_run(self.status, self.printed)
 
+    def test_a_database_was_made_when_the_session_was_reset(self):
+        beside = [note["databases"] for note in self.parts[0]]
+        self.assertIn([2], beside, "it works beside the window")
+        self.assertEqual(beside[-1], [])
+
     def test_all_of_it_was_done_in_the_air(self):
         self.assertEqual([part[0]["flights"] for part in self.parts], [0, 1, 0, 1, 2, 0, 1])
         for part in self.parts:

@@ -42,9 +42,12 @@ def look():
             flight.SMProxy.GetProperty("FileName").SetElement(0, SCENE)
             flight.SMProxy.GetProperty("Quality").SetElement(0, FULL)
     wait_until(lambda: all(stage.GetWorkState() == stage.BESIDE for stage in at_work()))
+    databases = [source.GetClientSideObject() for source in simple.GetSources().values()
+                 if source.SMProxy.GetXMLName() == "MotionDatabaseSource"]
     gc.collect()  # a script's own hands on what was deleted
     stages = at_work()
     write({"flights": len(flights()), "wall": time.monotonic(), "processor": time.process_time(), "megabytes": megabytes(),
+           "databases": [database.GetWorkState() for database in databases],
            "threads": len(os.listdir("/proc/self/task")), "is_paper": [stage.GetQuality() == PAPER for stage in stages],
            "beside": len(stages), "work": [stage.GetWorkDone() for stage in stages]})
 

@@ -35,7 +35,16 @@ TEST(MotionDatabaseSource, GivesTheDatabaseOfCore)
   vtkNew<vtkMotionDatabaseSource> source;
   MakeSmall(source);
   source->SetSeed(3);
+  source->WorkInSlices(); // as a window wants it
   source->Update();
+  EXPECT_EQ(source->GetComplete(), 0);
+  EXPECT_EQ(source->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_NE(source->GetWorkText(), "");
+  for (int k = 0; k < 10000 && source->GetComplete() == 0; ++k)
+  {
+    source->GoOn();
+    source->Update();
+  }
   MotionDatabase database;
   const Result result = DatabaseFromMultiBlock(source->GetOutput(), database);
   ASSERT_TRUE(result) << result.Message();

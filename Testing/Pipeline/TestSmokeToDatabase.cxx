@@ -15,8 +15,24 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <vector>
 
 using namespace waft;
+
+namespace
+{
+
+std::size_t PointsOf(const std::vector<Track>& tracks)
+{
+  std::size_t count = 0;
+  for (const Track& track : tracks)
+  {
+    count += track.Positions.size();
+  }
+  return count;
+}
+
+} // namespace
 
 TEST(SmokeToDatabase, AnnotationNamesTheVorticesOfTheSmoke)
 {
@@ -38,6 +54,48 @@ TEST(SmokeToDatabase, AnnotationNamesTheVorticesOfTheSmoke)
   ASSERT_TRUE(result) << result.Message();
   std::vector<Track> tracks;
   ASSERT_TRUE(TracksFromPolyData(trace->GetOutput(), tracks));
+
+  // As a window wants it: in slices, to the same tracks and segments.
+  smoke->WorkInSlices();
+  smoke->Modified();
+  trace->SetSlice(1e-9);
+  cluster->WorkInSlices();
+  int updates = 0;
+  for (cluster->Update(); cluster->GetComplete() == 0 && updates < 10000; ++updates)
+  {
+    EXPECT_EQ(trace->GetOutput()->GetNumberOfPoints(),
+              trace->GetComplete() == 0 ? 0 : static_cast<vtkIdType>(PointsOf(tracks)));
+    smoke->GoOn();
+    trace->GoOn();
+    cluster->GoOn();
+    cluster->Update();
+  }
+  EXPECT_GT(updates, 60) << "one step of the smoke each";
+  std::vector<Track> slowly;
+  ASSERT_TRUE(TracksFromPolyData(trace->GetOutput(), slowly));
+  ASSERT_EQ(slowly.size(), tracks.size());
+  EXPECT_EQ(slowly.back().Positions, tracks.back().Positions);
+  MotionDatabase again;
+  ASSERT_TRUE(DatabaseFromMultiBlock(cluster->GetOutput(), again));
+  EXPECT_EQ(again.Segments.size(), database.Segments.size());
+
+  // Held, it stays where it is; a change begins anew.
+  trace->SetSeedStride(3);
+  smoke->Update();
+  trace->Update();
+  EXPECT_EQ(trace->GetWorkState(), vtkTrajectoryTraceFilter::ARRIVED);
+  trace->Hold();
+  EXPECT_EQ(trace->GetWorkState(), vtkTrajectoryTraceFilter::HELD);
+  const double done = trace->GetWorkDone();
+  trace->GoOn();
+  trace->Update();
+  EXPECT_GT(trace->GetWorkDone(), done);
+  trace->SetSeedStride(4);
+  trace->Update();
+  EXPECT_EQ(trace->GetWorkDone(), done);
+  trace->SetSlice(0.0);
+  trace->Update();
+  EXPECT_EQ(trace->GetComplete(), 1);
   std::vector<Vortex> vortices;
   ASSERT_TRUE(
     VorticesFromPolyData(vtkPolyData::SafeDownCast(smoke->GetOutputDataObject(1)), vortices));

@@ -25,6 +25,9 @@ namespace
 // Of a slice: a first picture waits for the first slices of all stages of a pipeline.
 constexpr double FirstSlice = 0.25;
 constexpr double OneTick = 1e-9; // s, of work that is caught where it ticks next
+// From which on the time that a work takes can be told.
+constexpr double LeastDone = 0.05;
+constexpr double LeastSeconds = 1.0;
 
 bool IsComplete(vtkDataObject* data)
 {
@@ -33,6 +36,8 @@ bool IsComplete(vtkDataObject* data)
          !ReadNumber(data->GetFieldData(), "field data", names::Complete, { 0, 1 }, complete) ||
          complete > 0.0;
 }
+
+} // namespace
 
 bool HasUnfinishedInput(vtkAlgorithm* stage, vtkInformationVector** inputs)
 {
@@ -49,7 +54,13 @@ bool HasUnfinishedInput(vtkAlgorithm* stage, vtkInformationVector** inputs)
   return false;
 }
 
-} // namespace
+void MarkUnfinished(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    AddInts(vtkDataObject::GetData(outputs, port)->GetFieldData(), names::Complete, { 0 });
+  }
+}
 
 KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int windPort,
                      int airPort) :
@@ -162,7 +173,8 @@ void KeptStage::GiveKept(vtkInformationVector* outputs) const
 
 void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
 {
-  const double time = RequestedTimeOfAll(request, outputs, this->Scene.Time);
+  const double time =
+    this->HasTime() ? RequestedTimeOfAll(request, outputs, this->Scene.Time) : 0.0;
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkDataObject::GetData(outputs, port)->Initialize();
@@ -171,16 +183,16 @@ void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
   if (this->IsUnfinished)
   {
     this->FillPublished(time, outputs);
-    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-    {
-      AddInts(vtkDataObject::GetData(outputs, port)->GetFieldData(), names::Complete, { 0 });
-    }
+    MarkUnfinished(outputs);
   }
   else
   {
     this->FillVarying(time, outputs);
   }
-  RequestedTimeOfAll(request, outputs, this->Scene.Time); // filling has cleared the stamps
+  if (this->HasTime())
+  {
+    RequestedTimeOfAll(request, outputs, this->Scene.Time); // filling has cleared the stamps
+  }
 }
 
 Result KeptStage::TakeScene(vtkInformationVector** inputs)
@@ -324,6 +336,13 @@ void KeptStage::GoOn()
 SlicedRun::Progress KeptStage::SoFar() const
 {
   return this->Held.HasWork() ? this->Held.SoFar() : this->Reached;
+}
+
+double KeptStage::SecondsLeft() const
+{
+  const SlicedRun::Progress work = this->SoFar();
+  const bool isKnown = work.Done >= 1.0 || (work.Done > LeastDone && work.Seconds > LeastSeconds);
+  return isKnown ? work.Seconds * (1.0 - work.Done) / work.Done : -1.0;
 }
 
 Result KeptStage::TakePass(vtkInformationVector**, bool)

@@ -31,6 +31,11 @@
 namespace waft
 {
 
+/// Whether an input shows what there is of it so far.
+bool HasUnfinishedInput(vtkAlgorithm* stage, vtkInformationVector** inputs);
+/// Marks outputs as what there is so far.
+void MarkUnfinished(vtkInformationVector* outputs);
+
 class KeptStage
 {
 public:
@@ -65,6 +70,8 @@ public:
   /// Of the work that has not ended, or of what it came to.
   SlicedRun::State Now() const { return this->Held.Now(); }
   SlicedRun::Progress SoFar() const;
+  /// That the work takes from here on by those that it took [s]; below 0 while that is not known.
+  double SecondsLeft() const;
   /// In the destructor of who derives: what is held works on its members.
   void Discard();
 
@@ -92,6 +99,8 @@ protected:
   /// After each pass over what is pulled over time, the first of a run being told: takes from
   /// Fields what is not to be kept until Run.
   virtual Result TakePass(vtkInformationVector** inputs, bool isFirst);
+  /// Whether what the stage gives is of a time; a database is of none.
+  virtual bool HasTime() const { return true; }
   /// False of a stage that was told to rest: it takes no input, and its outputs are empty.
   virtual bool IsActive() const { return true; }
   /// Of several ranks that run together: what holds for all of them, out of what this one found in

@@ -117,6 +117,13 @@ bool TimeSweep::Continue(vtkInformation* request)
   return false;
 }
 
+bool TimeSweep::Pause(vtkInformation* request)
+{
+  const bool goesOn = this->Continue(request);
+  request->Remove(Sddp::CONTINUE_EXECUTING());
+  return goesOn;
+}
+
 bool TimeSweep::Leave(vtkInformation* request)
 {
   this->Step = std::max(this->Step, this->NumberOfSteps - 1);

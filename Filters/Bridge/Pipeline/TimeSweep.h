@@ -43,6 +43,8 @@ public:
   double Fraction() const;
   /// In RequestData, when this step's data was taken: true when another pass was asked for.
   bool Continue(vtkInformation* request);
+  /// The same, but that the pass comes with the next execution of the stage.
+  bool Pause(vtkInformation* request);
   /// The steps that are left are not wanted: true when the pass back was asked for.
   bool Leave(vtkInformation* request);
   /// After a failure in the middle of a sweep.

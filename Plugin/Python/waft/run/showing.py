@@ -24,8 +24,8 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     """Shows a stage, several in a list, or a Run; with `port` that output of a stage alone.
 
     Of a stage every output that its proxy shows by itself: what is in space in a render view (view: default the active one, or a
-    new one), a table of costs in a line chart with a logarithmic axis. An output that is named, by `port` or as OutputPort(stage, 1),
-    is shown in any case. The camera takes all in, a view that showed nothing gets a soft
+    new one), a table of costs in a line chart with a logarithmic axis; where it shows none, its tables. An output that is named,
+    by `port` or as OutputPort(stage, 1), is shown in any case. The camera takes all in, a view that showed nothing gets a soft
     background, and the animation of the session has the frames of the scene. Returns the views, the one in
     space first. Raises BadInput with the sentence of a stage that fails.
     """
@@ -78,7 +78,8 @@ def _ports_of(shown, port):
         output = simple.OutputPort(shown, port)
         return [(output, "XYChartView" if _about(output).GetDataClassName() == "vtkTable" else "")]
     ports = [(simple.OutputPort(shown, number), kind_of(shown, number)) for number in range(count)]
-    return [(output, kind) for output, kind in ports if kind != "None"]
+    return [(output, kind) for output, kind in ports if kind != "None"] or [
+        (output, "XYChartView") for output, _ in ports if _about(output).GetDataClassName() == "vtkTable"]
 
 
 def _about(output):
