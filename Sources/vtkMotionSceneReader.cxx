@@ -6,6 +6,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/VortexData.h"
+#include "Bridge/Files/InstalledData.h"
 #include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -144,7 +145,7 @@ int vtkMotionSceneReader::RequestInformation(vtkInformationVector* outputs)
   }
   if (!this->Read->Cache.IsCurrent(this, nullptr))
   {
-    this->Read->Load(this->FileName);
+    this->Read->Load(waft::NamedFile(this->FileName));
     this->Read->Cache.MarkCurrent(this, nullptr);
     for (const std::string& warning : this->Read->Scene.Warnings)
     {

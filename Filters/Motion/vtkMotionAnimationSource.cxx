@@ -5,6 +5,7 @@
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/SpacetimeData.h"
 #include "Bridge/Files/EmbeddedDatabase.h"
+#include "Bridge/Files/InstalledData.h"
 #include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Files/ShapeColors.h"
 #include "Bridge/Pipeline/MotionOutputs.h"
@@ -81,7 +82,7 @@ bool vtkMotionAnimationSource::Internals::Load()
     return false;
   }
   this->Discard(); // it works on the scene that there was
-  this->File.Read(this->Self->FileName, this->Self->Edits, waft::VtkSceneAssets());
+  this->File.Read(waft::NamedFile(this->Self->FileName), this->Self->Edits, waft::VtkSceneAssets());
   this->Scene = this->Read().Info;
   this->ReadTime.Modified();
   return true;
@@ -113,6 +114,10 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
   }
   if (!this->HasDatabase && this->Wants(waft::ChainStage::Planner))
   {
+    if (!monitor.Tick(0.0, "Reading the motion database"))
+    {
+      return waft::Result::Stopped();
+    }
     WAFT_RETURN_IF_FAILED(waft::ReadEmbeddedDatabase(this->Database));
     this->HasDatabase = true;
   }

@@ -7,6 +7,7 @@ scene has, shown as waft.show shows it, and names no place of who made it.
 import os
 import pathlib
 import sys
+import tempfile
 import unittest
 
 from paraview import simple
@@ -42,6 +43,22 @@ class SceneStateTest(unittest.TestCase):
                 waft.update(flight)
                 plan = flight.GetClientSideObject().GetOutputDataObject(5)
                 self.assertEqual(plan.GetNumberOfPoints(), len(flight.TimestepValues) * plan.GetNumberOfLines())
+
+    def test_their_scene_is_found_from_any_folder(self):
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                for name, reader, points in ((NAMES[0], "Flight", "Objects"), ("six_stages", "reader", "Constraints")):
+                    simple.ResetSession()
+                    simple.LoadState(str(EXAMPLES / (name + ".pvsm")))
+                    stage = simple.FindSource(reader)
+                    if name != "six_stages":
+                        stage.StopAfter = "Scene"
+                    waft.update(stage)
+                    self.assertGreater(waft.fetch(stage, points).GetNumberOfPoints(), 0, name)
+            finally:
+                os.chdir(before)
 
     def test_the_flight_is_seen(self):
         flight, view = self.load(NAMES[0])

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -50,6 +51,15 @@ Result FindDataFile(const std::string& name, std::string& path)
   }
   return Result::Error("share/waft/Data/" + name + ": expected above " + library.string() +
                        ", found in no folder; WAFT_DATA can name another");
+}
+
+std::string NamedFile(const std::string& name)
+{
+  std::error_code failure;
+  std::string path;
+  const fs::path inData = fs::path(name).lexically_relative("Data");
+  const bool isOurs = !inData.empty() && *inData.begin() != ".." && !fs::exists(name, failure);
+  return isOurs && FindDataFile(inData.string(), path) ? path : name;
 }
 
 } // namespace waft

@@ -14,4 +14,9 @@ namespace waft
 /// library.
 Result FindDataFile(const std::string& name, std::string& path);
 
+/// What a name means: a file of the working folder or, where there is none, one that comes with
+/// Waft (Data/Scenes/leaves-letters.waft.json). So states name their scenes, which are opened
+/// anywhere.
+std::string NamedFile(const std::string& name);
+
 } // namespace waft
