@@ -45,13 +45,18 @@ struct vtkMotionResultsReader::Contents
     waft::ObstaclesToPolyData(this->Flight.Obstacles, 0.0, scene, this->Obstacles);
     waft::ObjectsToPolyData(this->Flight.Objects, scene, this->Objects);
     waft::ConstraintsToPolyData(this->Flight.Constraints, scene, this->Marks);
+    waft::AddLandings(this->Flight.Constraints, this->Flight.Objects, this->Flight.Tracks,
+                      this->Marks);
     std::vector<std::vector<std::array<double, 3>>> colors;
     for (const waft::Shape& shape : this->Flight.Shapes)
     {
       colors.push_back(waft::ColorsOfPoints(shape));
     }
-    return this->Meshes.Build(this->Flight.Shapes, colors, this->Flight.Objects,
-                              this->Flight.Tracks, scene);
+    WAFT_RETURN_IF_FAILED(this->Meshes.Build(this->Flight.Shapes, colors, this->Flight.Objects,
+                                             this->Flight.Tracks, scene));
+    this->Meshes.SetSettled(waft::SettledFrames(this->Flight.Constraints, this->Flight.Tracks));
+    this->Meshes.SetGround(this->Flight.Obstacles, scene.Bounds);
+    return waft::Result::Ok();
   }
 };
 

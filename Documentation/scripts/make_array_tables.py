@@ -31,9 +31,9 @@ PAGES = {  # whose arrays a page tells of: stages by the names that they have be
 NONE = "-"
 # By name, where a port gives no other. What is counted, numbered, named or a share has none.
 UNITS = {name: unit for unit, names in {
-    "m": "CoreRadius ClearanceRadius RestHeight Shift Thickness Leash MaxViolation LargestRepair Translation Mean Coefficients Radius",
+    "m": "CoreRadius ClearanceRadius RestHeight Shift Thickness Leash MaxViolation LargestRepair Translation Mean Coefficients Radius Ground",
     "m/s": "Velocity AirVelocity SPHVelocity Slip SettlingSpeed Control ControlRms ControlMedian FlowRms WindRms TopSpeed MeanWind "
-           "BroadsideSpeed",
+           "BroadsideSpeed Speed",
     "m/s^2": "Force VortexAcceleration WindAcceleration VortexForce WindForce ResidualForce Residual Wind",
     "m^2/s^2": "Strength",
     "s": "Time CenterTime Duration Seconds",

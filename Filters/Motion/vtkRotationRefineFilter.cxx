@@ -151,7 +151,14 @@ waft::Result vtkRotationRefineFilter::Internals::BuildMeshes(vtkInformationVecto
       this->Colors.push_back(waft::ColorsOfPoints(shape));
     }
   }
-  return this->Meshes.Build(input.Shapes, this->Colors, input.Objects, input.Tracks, this->Scene);
+  WAFT_RETURN_IF_FAILED(
+    this->Meshes.Build(input.Shapes, this->Colors, input.Objects, input.Tracks, this->Scene));
+  this->Meshes.SetSettled(waft::SettledFrames(input.Constraints, input.Tracks));
+  if (input.Obstacles != nullptr)
+  {
+    this->Meshes.SetGround(input.Obstacles->Obstacles(), this->Scene.Bounds);
+  }
+  return waft::Result::Ok();
 }
 
 waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inputs,
@@ -193,6 +200,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
                      farthest);
     waft::AddTurning(this->Rotation, this->Kept<vtkPolyData>(PosesPort));
     waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
+    this->Meshes.SetSettled(waft::SettledFrames(this->Rotation.Constraints, this->Tracks));
     waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
     this->KeepWhatMeshesNeed();
   }

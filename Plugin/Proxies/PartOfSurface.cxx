@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartOfSurface.h"
 
+#include <vtkActor.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
+#include <vtkMapper.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -89,6 +91,12 @@ std::map<vtkIdType, vtkSmartPointer<vtkPolyData>> PartsBy(const char* array, vtk
     taken[number] = part.Take();
   }
   return taken;
+}
+
+void TakeColorsOfPoints(vtkActor* actor)
+{
+  actor->GetMapper()->ScalarVisibilityOn();
+  actor->GetMapper()->SetColorModeToDirectScalars();
 }
 
 } // namespace waft

@@ -10,6 +10,7 @@
 #include <map>
 #include <vector>
 
+class vtkActor;
 class vtkDataArray;
 class vtkFloatArray;
 class vtkPolyData;
@@ -38,5 +39,8 @@ private:
 /// {number: part} of the polygons by the number that a point array gives their first corners; all
 /// are of 0 without that array, and where it is less.
 std::map<vtkIdType, vtkSmartPointer<vtkPolyData>> PartsBy(const char* array, vtkPolyData* surface);
+
+/// Lets an actor take the colours of its points as they are.
+void TakeColorsOfPoints(vtkActor* actor);
 
 } // namespace waft

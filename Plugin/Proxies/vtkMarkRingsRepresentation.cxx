@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMarkRingsRepresentation.h"
 
+#include "PartOfSurface.h"
+
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -16,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkMarkRingsRepresentation);
 
@@ -25,12 +30,17 @@ namespace
 constexpr double Least = 0.006;       // radius of a ring, over the diagonal of the volume
 constexpr double FewMarks = 60.0;     // marks from which on rings are smaller
 constexpr int Position = 0, Rest = 4; // Kinds of rows that are places
+constexpr double Hole = 0.72;         // of a ring, over its radius
+constexpr double Lift =
+  0.1; // of a ring that lies, over its radius: bodies dip into what they lie on
+constexpr double LyingSize = 2.5; // its radius, over that of others: it goes round a body
+constexpr int Corners = 48;       // of such a ring
 using Rgb = std::array<unsigned char, 3>;
 constexpr Rgb Waiting{ 235, 150, 40 }, Met{ 40, 190, 120 }, Missed{ 215, 60, 45 };
 // Offsets are in radii. The colour is as it is told, whatever the light.
 constexpr const char* Ring = "//VTK::Color::Impl\n"
                              "  float away = length(offsetVCVSOutput.xy);\n"
-                             "  if (away > 1.0 || away < 0.72) discard;\n"
+                             "  if (away > 1.0 || away < 0.72) discard;\n" // as Hole
                              "  ambientColor = vertexColorVSOutput.rgb;\n"
                              "  diffuseColor = vec3(0.0);\n";
 
@@ -61,6 +71,42 @@ double LeastRadius(vtkPolyData* marks)
          std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
 }
 
+/// Rings that lie on what bodies come to rest on.
+struct LyingRings
+{
+  vtkNew<vtkPoints> Places;
+  vtkNew<vtkCellArray> Quads;
+  vtkNew<vtkUnsignedCharArray> Colors;
+
+  LyingRings() { this->Colors->SetNumberOfComponents(3); }
+
+  void Add(double x, double y, double z, double radius, const Rgb& color)
+  {
+    const vtkIdType first = this->Places->GetNumberOfPoints();
+    for (int corner = 0; corner < Corners; ++corner)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * corner / Corners;
+      for (const double away : { Hole * radius, radius })
+      {
+        this->Places->InsertNextPoint(x + away * std::cos(angle), y + away * std::sin(angle), z);
+        this->Colors->InsertNextTypedTuple(color.data());
+      }
+      const vtkIdType inner = first + 2 * corner, next = first + 2 * ((corner + 1) % Corners);
+      const vtkIdType quad[4] = { inner, inner + 1, next + 1, next };
+      this->Quads->InsertNextCell(4, quad);
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> Take()
+  {
+    auto rings = vtkSmartPointer<vtkPolyData>::New();
+    rings->SetPoints(this->Places);
+    rings->SetPolys(this->Quads);
+    rings->GetPointData()->SetScalars(this->Colors);
+    return rings;
+  }
+};
+
 void DrawRings(vtkActor* actor)
 {
   vtkNew<vtkPointGaussianMapper> mapper;
@@ -82,6 +128,9 @@ void vtkMarkRingsRepresentation::AddParts(vtkPolyData* block, double time, Parts
   const double rate = ValueOf(block->GetFieldData()->GetArray("FramesPerSecond"), 0, 30.0);
   const double now = std::round(time * rate);
   const double least = LeastRadius(block);
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  vtkDataArray* surfaces = rows->GetArray("LandingHeight");
+  LyingRings lying;
   vtkNew<vtkPoints> places;
   vtkNew<vtkFloatArray> radii;
   radii->SetName("Radius");
@@ -95,13 +144,28 @@ void vtkMarkRingsRepresentation::AddParts(vtkPolyData* block, double time, Parts
     {
       continue;
     }
-    places->InsertNextPoint(block->GetPoint(i));
-    const double radius = kind == Rest ? 0.0 : ValueOf(rows->GetArray("Radius"), i, 0.0);
-    radii->InsertNextValue(static_cast<float>(std::max(radius, least)));
     const bool isMet = ValueOf(rows->GetArray("Status"), i, 0.0) == 0.0;
     const Rgb& color =
       now < ValueOf(rows->GetArray("Frame"), i, HUGE_VAL) ? Waiting : (isMet ? Met : Missed);
+    const double* place = block->GetPoint(i);
+    const double surface = kind == Rest ? ValueOf(surfaces, i, missing) : missing;
+    if (!std::isnan(surface))
+    {
+      lying.Add(place[0], place[1], surface + Lift * LyingSize * least, LyingSize * least, color);
+      continue;
+    }
+    places->InsertNextPoint(place);
+    const double radius = kind == Rest ? 0.0 : ValueOf(rows->GetArray("Radius"), i, 0.0);
+    radii->InsertNextValue(static_cast<float>(std::max(radius, least)));
     colors->InsertNextTypedTuple(color.data());
+  }
+  if (lying.Places->GetNumberOfPoints() > 0)
+  {
+    Part part;
+    part.IsLit = false;
+    part.Actor = this->ActorFor(parts, lying.Take(), nullptr, waft::TakeColorsOfPoints);
+    part.Reach = LyingSize * least;
+    parts.push_back(std::move(part));
   }
   if (places->GetNumberOfPoints() == 0)
   {

@@ -21,7 +21,8 @@
 namespace
 {
 
-constexpr double Film = 0.999; // opacity from which on a body is none
+constexpr double Film = 0.999;    // opacity from which on a body is none
+constexpr float VeilWidth = 1.0F; // of its lines, in pixels
 
 } // namespace
 
@@ -140,6 +141,12 @@ void vtkPartsRepresentation::Paint(const Part& part)
   look->SetColor(color[0] * part.Color[0], color[1] * part.Color[1], color[2] * part.Color[2]);
   look->SetOpacity(part.Opacity * this->Property->GetOpacity());
   look->SetLighting(part.IsLit && this->Property->GetLighting());
+  if (part.IsVeil)
+  {
+    // Tubes are for what is coloured by an array.
+    look->RenderLinesAsTubesOff();
+    look->SetLineWidth(VeilWidth);
+  }
   // What is opaque is blended, too: by itself it needs no passes that sort what is behind it.
   part.Actor->SetForceOpaque(part.IsPool || look->GetOpacity() >= Film);
 }

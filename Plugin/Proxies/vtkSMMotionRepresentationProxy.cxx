@@ -2,14 +2,23 @@
 #include "vtkSMMotionRepresentationProxy.h"
 
 #include <vtkDataObject.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMOutputPort.h>
+#include <vtkSMParaViewPipelineController.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxyListDomain.h>
+#include <vtkSMSessionProxyManager.h>
+#include <vtkSMSettings.h>
+#include <vtkSMTransferFunctionManager.h>
+#include <vtkTimeStamp.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,6 +27,8 @@ vtkStandardNewMacro(vtkSMMotionRepresentationProxy);
 
 namespace
 {
+
+constexpr double Nothing = 1e-30; // up to which a number is what sums of zeros leave
 
 // Numbers, the text of a choice, or the source of a glyph.
 void SetFrom(vtkSMProperty* property, const std::string& text)
@@ -45,6 +56,73 @@ void SetFrom(vtkSMProperty* property, const std::string& text)
   }
 }
 
+/// Of vectors that are zero everywhere nothing is to be seen.
+bool IsThere(vtkPVArrayInformation* array)
+{
+  return array != nullptr &&
+         (array->GetNumberOfComponents() != 3 || array->GetComponentRange(-1)[1] > Nothing);
+}
+
+/// Gives an array that was never mapped to colours a way from colour to colour, and else nothing.
+void MapBy(const std::string& array, const char* colors, vtkSMSessionProxyManager* proxies)
+{
+  if (colors == nullptr ||
+      proxies->GetProxy("lookup_tables", (array + ".PVLookupTable").c_str()) != nullptr)
+  {
+    return;
+  }
+  std::vector<double> points;
+  std::istringstream stream(colors);
+  for (double number = 0.0; stream >> number;)
+  {
+    if (points.size() % 4 == 0)
+    {
+      points.push_back(0.0);
+    }
+    points.push_back(number);
+  }
+  for (std::size_t at = 0; at < points.size(); at += 4)
+  {
+    points[at] = static_cast<double>(at) / static_cast<double>(points.size() - 4);
+  }
+  vtkNew<vtkSMTransferFunctionManager> functions;
+  vtkSMProxy* map = functions->GetColorTransferFunction(array.c_str(), proxies);
+  vtkSMPropertyHelper(map, "RGBPoints")
+    .Set(points.data(), static_cast<unsigned int>(points.size()));
+  vtkSMPropertyHelper(map, "ColorSpace").Set("Lab");
+  map->UpdateVTKObjects();
+}
+
+double FieldOf(vtkPVDataInformation* data, const char* name)
+{
+  vtkPVArrayInformation* array = data->GetArrayInformation(name, vtkDataObject::FIELD);
+  return array != nullptr ? array->GetComponentRange(0)[0] : 0.0;
+}
+
+/// What is saved as a film, and played in real time, goes at the pace of its scene, where a user
+/// has settled nothing else.
+void TakePace(vtkPVDataInformation* data, vtkSMProxy* scene)
+{
+  const double rate = FieldOf(data, "FramesPerSecond"), frames = FieldOf(data, "NumberOfFrames");
+  if (scene == nullptr || !(rate > 0.0) || !(frames > 1.0))
+  {
+    return;
+  }
+  const int whole = std::max(1, static_cast<int>(std::lround(rate)));
+  vtkSMSettings* settings = vtkSMSettings::GetInstance();
+  if (settings->GetSettingAsInt(".misc.SaveAnimation.FrameRate", 0) != whole)
+  {
+    vtkTimeStamp now; // of settings in memory the latest count
+    now.Modified();
+    settings->AddCollectionFromString(
+      "{\"misc\":{\"SaveAnimation\":{\"FrameRate\":" + std::to_string(whole) + "}}}",
+      static_cast<double>(now.GetMTime()));
+  }
+  vtkSMPropertyHelper(scene, "Duration")
+    .Set(std::max(1, static_cast<int>(std::lround((frames - 1.0) / rate))));
+  scene->UpdateVTKObjects();
+}
+
 int AssociationOf(vtkPVXMLElement* look)
 {
   return std::string(look->GetAttributeOrEmpty("of")) == "CELLS" ? vtkDataObject::CELL
@@ -69,27 +147,43 @@ void vtkSMMotionRepresentationProxy::UpdateVTKObjects()
   this->WasEmpty = this->WasEmpty || (data != nullptr && data->GetNumberOfPoints() == 0);
   if (data != nullptr && data->GetNumberOfPoints() > 0)
   {
-    this->HasLook = true;
-    vtkPVXMLElement* hints = this->GetHints();
-    for (unsigned int i = 0; hints != nullptr && i < hints->GetNumberOfNestedElements(); ++i)
+    if (this->Look == nullptr)
     {
-      vtkPVXMLElement* look = hints->GetNestedElement(i);
-      const char* color = look->GetAttribute("color");
-      if (std::string(look->GetName()) == "FirstPicture" &&
-          (color == nullptr || data->GetArrayInformation(color, AssociationOf(look)) != nullptr))
-      {
-        this->PutOn(look);
-        late = this->WasEmpty ? look : nullptr;
-        break;
-      }
+      vtkNew<vtkSMParaViewPipelineController> controller;
+      TakePace(data, controller->FindAnimationScene(this->GetSession()));
     }
+    vtkPVXMLElement* look = this->LookFor(data);
+    if (look != nullptr && look != this->Look)
+    {
+      this->PutOn(look);
+      late = this->WasEmpty ? look : nullptr;
+    }
+    this->Look = look;
+    this->HasLook = look == nullptr || look->GetAttribute("until") == nullptr;
   }
+  this->TakeColorsAsTheyAre();
   this->Superclass::UpdateVTKObjects();
   if (late != nullptr && late->GetAttribute("color") != nullptr) // ParaView did so when it was made
   {
     this->SetScalarColoring(late->GetAttribute("color"), AssociationOf(late));
     this->RescaleTransferFunctionToDataRange();
   }
+}
+
+vtkPVXMLElement* vtkSMMotionRepresentationProxy::LookFor(vtkPVDataInformation* data)
+{
+  vtkPVXMLElement* hints = this->GetHints();
+  for (unsigned int i = 0; hints != nullptr && i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* look = hints->GetNestedElement(i);
+    const char* color = look->GetAttribute("color");
+    if (std::string(look->GetName()) == "FirstPicture" &&
+        (color == nullptr || IsThere(data->GetArrayInformation(color, AssociationOf(look)))))
+    {
+      return look;
+    }
+  }
+  return nullptr;
 }
 
 vtkPVDataInformation* vtkSMMotionRepresentationProxy::Shown()
@@ -122,15 +216,36 @@ void vtkSMMotionRepresentationProxy::PutOn(vtkPVXMLElement* look)
     vtkSMPropertyHelper(this, "Representation").Set(type);
   }
   const char* color = look->GetAttribute("color");
+  if (color != nullptr)
+  {
+    MapBy(color, look->GetAttribute("colors"), this->GetSessionProxyManager());
+  }
   vtkSMPropertyHelper(this, "ColorArrayName")
     .SetInputArrayToProcess(AssociationOf(look), color != nullptr ? color : "");
 }
 
-bool vtkSMMotionRepresentationProxy::ShowsMeasure()
+// The skins' colours are bytes for the screen, whose magnitude means nothing.
+void vtkSMMotionRepresentationProxy::TakeColorsAsTheyAre()
+{
+  const std::string array = this->ColorArray();
+  vtkSMProperty* maps = this->GetProperty("MapScalars");
+  if (maps != nullptr && array != this->Colored && (array == "Color" || this->Colored == "Color"))
+  {
+    vtkSMPropertyHelper(maps).Set(array == "Color" ? 0 : 1);
+  }
+  this->Colored = array;
+}
+
+std::string vtkSMMotionRepresentationProxy::ColorArray()
 {
   const char* array =
     vtkSMPropertyHelper(this, "ColorArrayName", /*quiet=*/true).GetInputArrayNameToProcess();
-  const std::string name = array != nullptr ? array : "";
+  return array != nullptr ? array : "";
+}
+
+bool vtkSMMotionRepresentationProxy::ShowsMeasure()
+{
+  const std::string name = this->ColorArray();
   const bool isNumber = name == "ObjectId" || name == "ShapeId" || name == "ObstacleId";
   vtkSMProperty* maps = this->GetProperty("MapScalars");
   return !isNumber && (maps == nullptr || vtkSMPropertyHelper(maps).GetAsInt() != 0);

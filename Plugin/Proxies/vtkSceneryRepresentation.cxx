@@ -2,11 +2,11 @@
 #include "vtkSceneryRepresentation.h"
 
 #include "PartOfSurface.h"
+#include "SoftDisc.h"
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPlaneSource.h>
@@ -27,7 +27,6 @@ namespace
 {
 
 constexpr int MostParts = 64;     // that are drawn by themselves where none has an id
-constexpr int Texels = 128;       // of the floor's alpha, along a side
 constexpr double Strength = 0.6;  // of the floor in its middle
 constexpr double Standing = 0.55; // opacity of obstacles: what flies behind them is seen
 constexpr double Floor[3] = { 0.86, 0.86, 0.84 };
@@ -81,29 +80,6 @@ void LeaveOutRim(vtkActor* floor)
     false);
 }
 
-vtkSmartPointer<vtkTexture> MakePool()
-{
-  vtkNew<vtkImageData> picture;
-  picture->SetDimensions(Texels, Texels, 1);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  for (int y = 0; y < Texels; ++y)
-  {
-    for (int x = 0; x < Texels; ++x)
-    {
-      const auto from = [](int texel) { return 2.0 * (texel + 0.5) / Texels - 1.0; };
-      const double left = std::max(0.0, 1.0 - std::hypot(from(x), from(y)));
-      const double share = left * left * (3.0 - 2.0 * left);
-      auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
-      std::fill_n(pixel, 3, static_cast<unsigned char>(255));
-      pixel[3] = static_cast<unsigned char>(std::lround(255.0 * Strength * share));
-    }
-  }
-  auto pool = vtkSmartPointer<vtkTexture>::New();
-  pool->SetInputData(picture);
-  pool->InterpolateOn();
-  return pool;
-}
-
 /// By their ids; of what has none, each part that hangs together is an obstacle, as stages have it.
 std::map<vtkIdType, vtkSmartPointer<vtkPolyData>> ObstaclesOf(vtkPolyData* surface)
 {
@@ -123,7 +99,7 @@ std::map<vtkIdType, vtkSmartPointer<vtkPolyData>> ObstaclesOf(vtkPolyData* surfa
 
 } // namespace
 
-vtkSceneryRepresentation::vtkSceneryRepresentation() : Pool(MakePool()) {}
+vtkSceneryRepresentation::vtkSceneryRepresentation() : Pool(waft::MakeSoftDisc(Strength)) {}
 
 vtkSceneryRepresentation::~vtkSceneryRepresentation() = default;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkinnedBodiesRepresentation.h"
 
+#include "BodyShadows.h"
 #include "PartOfSurface.h"
+#include "SoftDisc.h"
 #include "vtkCheckedFiles.h"
 
 #include <vtkActor.h>
@@ -29,12 +31,15 @@ namespace
 {
 
 constexpr int MostTexels = 4096; // along a side
+constexpr double Veiled = 0.99;  // opacity, as near to 1 as what is blended has it
 // Cut out by alpha rather than blended: right from every side without sorting.
 constexpr const char* CutOut = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n";
 // VTK turns a normal towards the eye; what the first light throws on the other side comes through.
+// What is seen from its edge is lit all around, so that it stands out from what is behind it.
 constexpr const char* ShineThrough =
   "//VTK::Light::Impl\n  fragOutput0.rgb += 0.35 * diffuseColor * lightColor0"
-  " * max(0.0, dot(normalVCVSOutput, lightDirectionVC0));\n";
+  " * max(0.0, dot(normalVCVSOutput, lightDirectionVC0))\n"
+  "    + 0.4 * diffuseColor * pow(1.0 - abs(normalVCVSOutput.z), 2.0);\n";
 
 void TakeColor(vtkFieldData* fields, const char* name, vtkIdType shape, double color[3])
 {
@@ -76,6 +81,8 @@ void LetLightThrough(vtkActor* actor)
 
 } // namespace
 
+vtkSkinnedBodiesRepresentation::vtkSkinnedBodiesRepresentation() : Spot(waft::MakeSoftDisc(1.0)) {}
+
 vtkSkinnedBodiesRepresentation::~vtkSkinnedBodiesRepresentation() = default;
 
 void vtkSkinnedBodiesRepresentation::AddParts(vtkPolyData* block, double, Parts& parts)
@@ -95,6 +102,22 @@ void vtkSkinnedBodiesRepresentation::AddParts(vtkPolyData* block, double, Parts&
     part.Actor = this->ActorFor(parts, surface, texture, LetLightThrough);
     parts.push_back(std::move(part));
   }
+  this->AddShadows(block, parts);
+}
+
+void vtkSkinnedBodiesRepresentation::AddShadows(vtkPolyData* block, Parts& parts)
+{
+  const vtkSmartPointer<vtkPolyData> shadows = waft::ShadowsOf(block);
+  if (shadows == nullptr)
+  {
+    return;
+  }
+  Part part;
+  part.Opacity = Veiled;
+  part.IsLit = false;
+  part.IsVeil = true;
+  part.Actor = this->ActorFor(parts, shadows, this->Spot, waft::TakeColorsOfPoints);
+  parts.push_back(std::move(part));
 }
 
 vtkTexture* vtkSkinnedBodiesRepresentation::TextureOf(vtkFieldData* fields, vtkIdType shape)

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 import numpy as np
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -93,6 +93,25 @@ class OpenedTest(unittest.TestCase):
                 self.assertLess(np.abs((own.min(axis=0) + own.max(axis=0)) / 2 - at).max(), 0.2)
         names = meshes.GetFieldData().GetAbstractArray("Texture")
         self.assertEqual([names.GetValue(i) for i in range(2)], [str(self.report.with_name("leaf.png")), ""])
+
+    def test_bodies_say_how_fast_they_are_and_when_they_lie(self):
+        reader = simple.MotionResultsReader(FileName=str(self.report))
+        for frame, before, after in ((0, 0, 1), (33, 32, 34), (60, 59, 60)):
+            reader.UpdatePipeline(frame / sample_folder.RATE)
+            arrays = surface(reader["Meshes"]).GetPointData()
+            ids, speeds, settled = (vtk_to_numpy(arrays.GetArray(name)) for name in ("ObjectId", "Speed", "Settled"))
+            ways = self.positions[:, after] - self.positions[:, before]
+            wanted = np.linalg.norm(ways, axis=1) * sample_folder.RATE / (after - before)
+            np.testing.assert_allclose(speeds, wanted[ids], rtol=1e-5, atol=1e-6)
+            np.testing.assert_array_equal(settled, np.where(ids < 2, 48, -1))
+
+    def test_rests_say_on_what_bodies_come_to_lie(self):
+        reader = simple.MotionResultsReader(FileName=str(self.report))
+        waft.update(reader)
+        rows = surface(reader["Marks"]).GetPointData()
+        kinds, heights = (vtk_to_numpy(rows.GetArray(name)) for name in ("Kind", "LandingHeight"))
+        np.testing.assert_array_equal(np.isnan(heights), kinds != 4)
+        np.testing.assert_allclose(heights[kinds == 4], self.positions[:2, 48, 2])  # these bodies have no height of rest
 
     def test_marks_say_what_became_of_them(self):
         reader = simple.MotionResultsReader(FileName=str(self.report))
@@ -178,12 +197,13 @@ class PictureTest(unittest.TestCase):
         simple.GetAnimationScene().AnimationTime = frame / sample_folder.RATE
 
     def taken(self, name, port="Meshes"):
-        """(what is seen, what is behind, mask) of an output."""
+        """(what is seen, what is behind, mask) of an output; shadows, which darken all colours alike, are not in the mask."""
         seen = pixels(self.view, name)
         self.shown[port].Visibility = 0
         behind = pixels(self.view, f"{name}_without")
         self.shown[port].Visibility = 1
-        return seen, behind, np.abs(seen - behind).max(axis=2) > 8
+        darker = behind - seen
+        return seen, behind, (np.abs(darker).max(axis=2) > 8) & ((darker.min(axis=2) < 0.0) | (np.ptp(darker, axis=2) > 16.0))
 
     def test_bodies_are_seen_in_their_skins(self):
         self.at(20)
@@ -249,6 +269,68 @@ class PictureTest(unittest.TestCase):
             colors[frame] = np.median(seen[mask], axis=0)
         self.assertGreater(colors[10][0], 1.3 * colors[10][1], "orange before")
         self.assertGreater(colors[60][1], 1.3 * colors[60][0], "green after")
+
+    def on_picture(self, places):
+        """Column and row of places in the picture, [n, 2]."""
+        camera = self.view.GetActiveCamera().GetCompositeProjectionTransformMatrix(SIZE[0] / SIZE[1], -1.0, 1.0)
+        matrix = np.array([[camera.GetElement(row, column) for column in range(4)] for row in range(4)])
+        seen = np.append(places, np.ones((len(places), 1)), axis=1) @ matrix.T
+        return ((seen[:, :2] / seen[:, 3:] + 1.0) * 0.5 * SIZE).astype(int)
+
+    def test_rings_of_rests_lie_where_bodies_do(self):
+        self.at(60)
+        seen, _, mask = self.taken("lying", "Marks")
+        rows = surface(self.reader["Marks"])
+        kinds, heights = (vtk_to_numpy(rows.GetPointData().GetArray(name)) for name in ("Kind", "LandingHeight"))
+        angles = np.arange(16) * np.pi / 8
+        away = 0.86 * 2.5 * 0.006 * np.linalg.norm([2.0, 2.0, 2.0])  # in the middle of the band
+        for rest in np.flatnonzero(kinds == 4):
+            x, y, _ = rows.GetPoint(rest)
+            places = np.column_stack([x + away * np.cos(angles), y + away * np.sin(angles), np.full(16, heights[rest])])
+            found = [mask[row - 1:row + 2, column - 1:column + 2].any() for column, row in self.on_picture(places)]
+            self.assertGreater(sum(found), 8, "the body may hide a part")
+
+    def test_bodies_have_shadows_on_the_ground(self):
+        self.at(20)
+        seen, behind, _ = self.taken("shadows")
+        positions, _ = sample_folder.motion()
+        below = positions[[0, 1, 5], 20] * [1.0, 1.0, 0.0]  # those that nothing stands under
+        for column, row in self.on_picture(below):
+            darker = (behind - seen)[row, column]
+            self.assertGreater(darker.min(), 15.0)
+
+    def test_colours_are_taken_as_they_are(self):
+        self.at(20)
+        skins = self.shown["Meshes"]
+        simple.ColorBy(skins, ("POINTS", "Color"))
+        try:
+            drawn, _, mask = self.taken("colors")
+            self.assertEqual(skins.MapScalars, 0)
+        finally:
+            simple.ColorBy(skins, ("POINTS", "Speed"))
+            self.assertEqual(skins.MapScalars, 1)
+            simple.ColorBy(skins, None)
+        red, green, blue = np.moveaxis(drawn[mask], 1, 0)
+        self.assertGreater(((red > 1.2 * green) & (green > 1.05 * blue)).mean(), 0.25, "the texture's brown")
+
+    def test_paths_that_are_coloured_are_tubes(self):
+        self.at(20)
+        faint = self.taken("faint", "Poses")[2].sum()
+        simple.ColorBy(self.shown["Poses"], ("CELLS", "ObjectId"))
+        try:
+            colored = self.taken("tubes", "Poses")[2].sum()
+        finally:
+            simple.ColorBy(self.shown["Poses"], None)
+        self.assertGreater(colored, 2 * faint)
+
+    def test_films_go_at_the_pace_of_the_scene(self):
+        proxies = servermanager.ActiveConnection.Session.GetSessionProxyManager()
+        saving = proxies.NewProxy("misc", "SaveAnimation")
+        controller = servermanager.vtkSMParaViewPipelineController()
+        controller.PreInitializeProxy(saving)
+        controller.PostInitializeProxy(saving)
+        self.assertEqual(servermanager.vtkSMPropertyHelper(saving, "FrameRate").GetAsInt(), 30)
+        self.assertEqual(simple.GetAnimationScene().Duration, 2)
 
     def test_the_ground_passes_into_the_background(self):
         self.at(20)

@@ -66,6 +66,10 @@ constexpr const char* BroadsideSpeed = "BroadsideSpeed"; // m/s
 constexpr const char* Follow = "Follow";                 // 1/s
 constexpr const char* Pace = "Pace";
 
+// Meshes: of each body as it flies, and of the ground under all (field data).
+constexpr const char* Speed = "Speed";
+constexpr const char* Ground = "Ground";
+
 // Shapes (field data of each block).
 constexpr const char* DragCoefficient = "DragCoefficient";
 constexpr const char* AreaDensity = "AreaDensity";
@@ -173,8 +177,9 @@ constexpr const char* Settled = "Settled";     // likewise
 constexpr const char* FaceUp = "FaceUp";       // likewise
 constexpr const char* Facing = "Facing";       // of positions
 constexpr const char* FacingTolerance = "FacingTolerance";
-constexpr const char* LiftOff = "LiftOff";     // of rests
-constexpr const char* Candidate = "Candidate"; // of rounds
+constexpr const char* LiftOff = "LiftOff";             // of rests
+constexpr const char* LandingHeight = "LandingHeight"; // likewise, of marks beside a motion
+constexpr const char* Candidate = "Candidate";         // of rounds
 constexpr const char* ControlRms = "ControlRms";
 constexpr const char* ControlMedian = "ControlMedian";
 constexpr const char* FlowRms = "FlowRms";

@@ -87,6 +87,20 @@ private:
                                                              ConstraintStatus::Unreachable };
 };
 
+/// Rests that last to the last frame and are met, by ObjectId.
+std::map<int, const Constraint*> LastRests(const std::vector<Constraint>& constraints, int last)
+{
+  std::map<int, const Constraint*> rests;
+  for (const Constraint& row : constraints)
+  {
+    if (IsRest(row.Kind) && row.Status == ConstraintStatus::Met && LastFrame(row) >= last)
+    {
+      rests[row.ObjectId] = &row;
+    }
+  }
+  return rests;
+}
+
 } // namespace
 
 void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const SceneInfo& info,
@@ -233,14 +247,7 @@ void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* trac
     return;
   }
   const int last = static_cast<int>(tracks->GetNumberOfPoints() / count) - 1;
-  std::map<int, const Constraint*> rests; // by ObjectId
-  for (const Constraint& row : constraints)
-  {
-    if (IsRest(row.Kind) && row.Status == ConstraintStatus::Met && LastFrame(row) >= last)
-    {
-      rests[row.ObjectId] = &row;
-    }
-  }
+  const std::map<int, const Constraint*> rests = LastRests(constraints, last);
   std::vector<int> touchDowns, settled;
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -253,6 +260,50 @@ void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* trac
   }
   AddInts(tracks->GetCellData(), names::TouchDown, touchDowns);
   AddInts(tracks->GetCellData(), names::Settled, settled);
+}
+
+void AddLandings(const std::vector<Constraint>& constraints,
+                 const std::vector<MotionObject>& objects, const std::vector<Track>& tracks,
+                 vtkPolyData* rows)
+{
+  std::map<int, double> below; // the centre of a body that lies, by ObjectId
+  for (const MotionObject& object : objects)
+  {
+    below[object.ObjectId] = object.RestHeight;
+  }
+  std::map<int, const Track*> trackOf;
+  for (const Track& track : tracks)
+  {
+    trackOf[track.ObjectId] = &track;
+  }
+  std::vector<double> heights;
+  for (const Constraint& row : constraints)
+  {
+    heights.push_back(std::numeric_limits<double>::quiet_NaN());
+    const auto found = trackOf.find(row.ObjectId);
+    if (IsRest(row.Kind) && row.Status == ConstraintStatus::Met && found != trackOf.end() &&
+        !found->second->Positions.empty())
+    {
+      const std::vector<Vec3>& places = found->second->Positions;
+      const auto frame = static_cast<std::size_t>(std::max(FirstFrame(row), 0));
+      heights.back() = places[std::min(frame, places.size() - 1)].z() - below[row.ObjectId];
+    }
+  }
+  AddDoubles(rows->GetPointData(), names::LandingHeight, heights);
+}
+
+std::vector<int> SettledFrames(const std::vector<Constraint>& constraints,
+                               const std::vector<Track>& tracks)
+{
+  const int last = tracks.empty() ? 0 : static_cast<int>(tracks.front().Positions.size()) - 1;
+  const std::map<int, const Constraint*> rests = LastRests(constraints, last);
+  std::vector<int> frames;
+  for (const Track& track : tracks)
+  {
+    const auto found = rests.find(track.ObjectId);
+    frames.push_back(found != rests.end() ? FirstFrame(*found->second) : -1);
+  }
+  return frames;
 }
 
 void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, vtkTable* table)

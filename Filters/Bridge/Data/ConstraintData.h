@@ -57,6 +57,16 @@ void TakeStatuses(const std::vector<Line>& report, std::vector<Constraint>& cons
 /// lie.
 void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* tracks);
 
+/// Point data `LandingHeight` of rows: of a rest that is met the height [m] of the surface that its
+/// body comes to lie on, as its track says; NaN of others. objects: those of the rows.
+void AddLandings(const std::vector<Constraint>& constraints,
+                 const std::vector<MotionObject>& objects, const std::vector<Track>& tracks,
+                 vtkPolyData* rows);
+
+/// By track, at which frame its body is still, -1 where it does not lie to the end.
+std::vector<int> SettledFrames(const std::vector<Constraint>& constraints,
+                               const std::vector<Track>& tracks);
+
 /// One line per row of the report but for those of no row; Kind and Status as text.
 void ReportToTable(const std::vector<ReportRow>& report, const SceneInfo& info, vtkTable* table);
 /// The lines of such a table, whose columns may all be texts, as a file has them. owner: "planned

@@ -176,6 +176,44 @@ Result ShapesOfTracks::Find(int objectId, int& shapeId) const
   return Result::Ok();
 }
 
+namespace
+{
+
+/// heights: of the slab's bottom and top [m].
+bool IsGround(const TriangleMesh& mesh, const Box& volume, double (&heights)[2])
+{
+  if (mesh.Points.empty())
+  {
+    return false;
+  }
+  Box own{ mesh.Points.front(), mesh.Points.front() };
+  for (const Vec3& point : mesh.Points)
+  {
+    own.Min = own.Min.cwiseMin(point);
+    own.Max = own.Max.cwiseMax(point);
+  }
+  heights[0] = own.Min.z();
+  heights[1] = own.Max.z();
+  return own.Min.x() <= volume.Min.x() && own.Max.x() >= volume.Max.x() &&
+         own.Min.y() <= volume.Min.y() && own.Max.y() >= volume.Max.y() &&
+         own.Max.z() < volume.Max.z() &&
+         std::all_of(mesh.Points.begin(), mesh.Points.end(),
+                     [&](const Vec3& point)
+                     { return point.z() == heights[0] || point.z() == heights[1]; });
+}
+
+/// [m/s] at a frame.
+double SpeedAt(const std::vector<Vec3>& positions, std::size_t frame, double framesPerSecond)
+{
+  const std::size_t before = frame > 0 ? frame - 1 : 0;
+  const std::size_t after = std::min(frame + 1, positions.size() - 1);
+  return after == before ? 0.0
+                         : (positions[after] - positions[before]).norm() * framesPerSecond /
+                             static_cast<double>(after - before);
+}
+
+} // namespace
+
 PosedMeshes::PosedMeshes() = default;
 PosedMeshes::~PosedMeshes() = default;
 
@@ -240,9 +278,32 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
   {
     this->Template->GetPointData()->SetTCoords(coordinates);
   }
+  this->FramesPerSecond = info.Time.FramesPerSecond;
   SceneInfoToFieldData(info, this->Template);
   LooksToFieldData(shapes, this->Template->GetFieldData());
   return Result::Ok();
+}
+
+void PosedMeshes::SetSettled(const std::vector<int>& frames)
+{
+  std::vector<int> ofPoints;
+  for (std::size_t t = 0; t < this->BodyOfTrack.size(); ++t)
+  {
+    ofPoints.insert(ofPoints.end(), this->Bodies[this->BodyOfTrack[t]].Points.size(), frames[t]);
+  }
+  AddInts(this->Template->GetPointData(), names::Settled, ofPoints);
+}
+
+void PosedMeshes::SetGround(const std::vector<ObstacleMesh>& obstacles, const Box& volume)
+{
+  for (const ObstacleMesh& obstacle : obstacles)
+  {
+    double heights[2];
+    if (IsGround(obstacle.Mesh, volume, heights))
+    {
+      AddDoubles(this->Template->GetFieldData(), names::Ground, { heights[1] });
+    }
+  }
 }
 
 void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
@@ -250,13 +311,16 @@ void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseT
 {
   data->ShallowCopy(this->Template);
   vtkNew<vtkDoubleArray> coordinates;
-  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkFloatArray> normals, speeds;
   const vtkIdType count = this->Template->GetPointData()->GetNumberOfTuples();
   coordinates->SetNumberOfComponents(3);
   coordinates->SetNumberOfTuples(count);
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(count);
+  speeds->SetName(names::Speed);
+  speeds->SetNumberOfTuples(count);
+  float* speed = speeds->GetPointer(0);
   double* coordinate = coordinates->GetPointer(0);
   float* normal = normals->GetPointer(0);
   for (std::size_t t = 0; t < tracks.size(); ++t)
@@ -265,6 +329,8 @@ void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseT
     const int last = static_cast<int>(tracks[t].Positions.size()) - 1;
     const auto k = static_cast<std::size_t>(std::clamp(frame, 0, last));
     const Mat3 turn = poses[t].Orientations[k].toRotationMatrix();
+    speed = std::fill_n(speed, body.Points.size(),
+                        static_cast<float>(SpeedAt(tracks[t].Positions, k, this->FramesPerSecond)));
     for (std::size_t i = 0; i < body.Points.size(); ++i)
     {
       const Vec3 x = tracks[t].Positions[k] + turn * body.Points[i];
@@ -281,6 +347,7 @@ void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseT
   points->SetData(coordinates);
   data->SetPoints(points);
   data->GetPointData()->SetNormals(normals);
+  data->GetPointData()->AddArray(speeds);
 }
 
 } // namespace waft

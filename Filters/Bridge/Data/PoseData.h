@@ -2,6 +2,7 @@
 // Poses (tracks that turn) and the meshes posed by them.
 #pragma once
 
+#include "Base/Mesh.h"
 #include "Base/Motion.h"
 #include "Base/Pose.h"
 #include "Base/Result.h"
@@ -55,8 +56,8 @@ private:
 };
 
 /// All objects' meshes as one surface: triangles, texture coordinates, `ObjectId` and `ShapeId` (of
-/// points and cells) are made once, points and normals for each frame. What shapes look like is in
-/// its field data (LooksToFieldData); coordinates of a shape without any are zero.
+/// points and cells) are made once, points, normals and `Speed` for each frame. What shapes look
+/// like is in its field data (LooksToFieldData); coordinates of a shape without any are zero.
 class PosedMeshes
 {
 public:
@@ -72,6 +73,13 @@ public:
   void Fill(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses, int frame,
             vtkPolyData* data) const;
 
+  /// Of each track the frame from which its body is still (SettledFrames), as the point data
+  /// `Settled`.
+  void SetSettled(const std::vector<int>& frames);
+  /// The height [m] of an obstacle that is flat and reaches past the whole floor of the volume, as
+  /// the field data `Ground`; nothing where there is none.
+  void SetGround(const std::vector<ObstacleMesh>& obstacles, const Box& volume);
+
 private:
   struct Body
   {
@@ -80,7 +88,8 @@ private:
   };
   std::vector<Body> Bodies;             // by shape
   std::vector<std::size_t> BodyOfTrack; // by track
-  vtkNew<vtkPolyData> Template;         // without points
+  double FramesPerSecond = 1.0;
+  vtkNew<vtkPolyData> Template; // without points
 };
 
 } // namespace waft

@@ -92,7 +92,10 @@ void MotionOutputs::KeepPlan()
   }
   std::vector<Constraint> marks = plan.Constraints;
   TakeStatuses(this->Made.Report, marks);
-  ConstraintsToPolyData(marks, this->Scene, this->Kept<vtkPolyData>(MarksPort));
+  auto* rows = this->Kept<vtkPolyData>(MarksPort);
+  ConstraintsToPolyData(marks, this->Scene, rows);
+  AddLandings(marks, this->Read().Objects,
+              this->Made.Tracks.empty() ? this->Made.Paths() : this->Made.Tracks, rows);
   TracksToPolyData(plan.Tracks, this->Scene, this->Kept<vtkPolyData>(PlannedTracksPort));
   TreesToPolyData(plan.Trees, this->Scene, this->Kept<vtkPolyData>(TreesPort));
   ReportToTable(plan.Report, this->Scene, this->Kept<vtkTable>(PlannedReportPort));
@@ -165,8 +168,11 @@ Result MotionOutputs::BuildMeshes()
   {
     colors.push_back(this->ColorsOf(shape));
   }
-  return this->Meshes.Build(this->Read().Shapes, colors, this->Read().Objects, this->ShownTracks,
-                            this->Scene);
+  WAFT_RETURN_IF_FAILED(this->Meshes.Build(this->Read().Shapes, colors, this->Read().Objects,
+                                           this->ShownTracks, this->Scene));
+  this->Meshes.SetSettled(SettledFrames(this->Made.RowsAtLast(), this->ShownTracks));
+  this->Meshes.SetGround(this->Read().Obstacles, this->Scene.Bounds);
+  return Result::Ok();
 }
 
 void MotionOutputs::StandAsBegun(std::vector<Track> tracks)
