@@ -4,11 +4,13 @@
 #include "WaftActive.h"
 #include "WaftCamera.h"
 #include "WaftCheck.h"
+#include "WaftFilmLook.h"
 #include "WaftFly.h"
 #include "WaftFollow.h"
 #include "WaftHold.h"
 #include "WaftMarks.h"
 #include "WaftMenu.h"
+#include "WaftNames.h"
 #include "WaftRemarks.h"
 #include "WaftStages.h"
 #include "WaftVerdict.h"
@@ -120,6 +122,8 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->connect(this->Stop, &QToolButton::clicked, this, &WaftToolBar::onStop);
   this->connect(this->GoOn, &QToolButton::clicked, this, &WaftToolBar::onGoOn);
 
+  this->AddButton("FilmLook", {}, {})->setDefaultAction(new WaftFilmLook(this));
+
   this->Timer.setSingleShot(true);
   this->Timer.setInterval(BetweenLooks);
   this->connect(&this->Timer, &QTimer::timeout, this, &WaftToolBar::onTimer);
@@ -130,6 +134,9 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   pqServerManagerModel* model = core->getServerManagerModel();
   this->connect(model, &pqServerManagerModel::sourceAdded, this, &WaftToolBar::onSourceAdded);
   this->connect(model, &pqServerManagerModel::modifiedStateChanged, this, &WaftToolBar::onApplied);
+  this->connect(model, &pqServerManagerModel::sourceAdded, this, // once its file has been set
+                [](pqPipelineSource* source)
+                { QTimer::singleShot(0, source, [source] { waft::NameByScene(source); }); });
   this->connect(model, &pqServerManagerModel::sourceRemoved, this, &WaftToolBar::onDataUpdated);
   this->connect(model, &pqServerManagerModel::preSourceRemoved, this,
                 [](pqPipelineSource* source) { waft::LetGo(source->getProxy()); });

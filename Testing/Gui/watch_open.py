@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: makes a scene and a folder of results; notes, a line a change, what stands in the
-pipeline browser."""
+pipeline browser and what of the flight is shown."""
 import os
 import pathlib
 import sys
 
 from paraview import simple
-from watching import SCENE, watch, write_change
+from watching import SCENE, view, watch, write_change
 
 import waft
 
@@ -19,6 +19,14 @@ scene.add_objects("maple", positions=[(0, 0, 2)])
 scene.save(SCENE)
 flight = pathlib.Path(SCENE).with_name("flight")
 sample_folder.write(str(flight))
-(flight / "report.json").write_text("{}", encoding="utf-8")
+(flight / "report.json").write_text('{"scene": "autumn.waft.json"}', encoding="utf-8")
 
-watch(lambda: write_change(sorted(source.SMProxy.GetXMLName() for source in simple.GetSources().values())))
+
+def look():
+    named = {name: source for (name, _), source in simple.GetSources().items()}
+    flown = next((source for source in named.values() if source.SMProxy.GetXMLName() == "MotionResultsReader"), None)
+    shown = [one.SMProxy.GetXMLName() for one in view.Representations if one.Visibility and one.Input.SMProxy == flown.SMProxy] if flown else []
+    write_change([{name: source.SMProxy.GetXMLName() for name, source in named.items()}, sorted(shown)])
+
+
+watch(look)
