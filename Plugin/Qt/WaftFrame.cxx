@@ -7,6 +7,7 @@
 #include <vtkBoundingBox.h>
 #include <vtkDataObject.h>
 #include <vtkMath.h>
+#include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkSMOutputPort.h>
 #include <vtkSMPropertyHelper.h>
@@ -29,6 +30,7 @@ namespace
 
 const vtkVector3d Direction(-0.35, 1.0, -0.55); // that the camera looks in
 constexpr double Room = 0.3;                    // round a single point [m]
+constexpr double Around = 1.5;                  // radii of an object that are to be seen
 constexpr double Near = 0.05;  // of the extent of what flies: obstacles this near belong to it
 constexpr double Filled = 0.9; // of the view's height or width
 const double Below[3] = { 0.43, 0.51, 0.57 }; // what is behind all, at the foot of the picture
@@ -46,6 +48,13 @@ bool IsScenery(pqDataRepresentation* shown)
   return std::string(shown->getProxy()->GetXMLName()) == "MotionObstaclesRepresentation";
 }
 
+/// How far objects reach beyond their places [m], with room round them.
+double ReachOf(vtkPVDataInformation* data)
+{
+  vtkPVArrayInformation* radii = data->GetArrayInformation("ClearanceRadius", vtkDataObject::POINT);
+  return radii != nullptr ? Around * radii->GetComponentRange(0)[1] : 0.0;
+}
+
 /// Of what flies; without any, of what stands.
 vtkBoundingBox BoxOf(const std::vector<pqDataRepresentation*>& shown)
 {
@@ -59,7 +68,9 @@ vtkBoundingBox BoxOf(const std::vector<pqDataRepresentation*>& shown)
       data->GetBounds(bounds);
       const bool stands =
         IsScenery(one) || data->GetArrayInformation("ObstacleId", vtkDataObject::POINT) != nullptr;
-      (stands ? standing : flying).AddBounds(bounds);
+      vtkBoundingBox own(bounds);
+      own.Inflate(ReachOf(data));
+      (stands ? standing : flying).AddBox(own);
     }
   }
   if (!flying.IsValid())

@@ -14,6 +14,7 @@ from waft.run.updating import update
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
 _DIRECTION = (-0.35, 1.0, -0.55)  # that the first camera looks in: from the front and above
 _ROOM = 0.3  # round a single point, in metres
+_AROUND = 1.5  # radii of an object that are to be seen
 _NEAR = 0.05  # of the extent of what flies: obstacles this near belong to the picture
 _FILLED = 0.9  # of the view's height or width
 _BELOW, _ABOVE = (0.43, 0.51, 0.57), (0.27, 0.36, 0.44)  # what is behind all, at the foot of the picture and above
@@ -154,6 +155,12 @@ def _unit(vector):
 
 def _box(outputs):
     """Lowest and highest corner of all outputs, empty without any."""
-    bounds = [_about(output).GetBounds() for output in outputs]
+    bounds = [np.array(_about(output).GetBounds()) + np.tile((-1.0, 1.0), 3) * _reach(output) for output in outputs]
     return ([min(box[2 * axis] for box in bounds) for axis in range(3)] if bounds else [],
             [max(box[2 * axis + 1] for box in bounds) for axis in range(3)] if bounds else [])
+
+
+def _reach(output):
+    """How far objects reach beyond their places, with room round them."""
+    radii = output.PointData.GetArray("ClearanceRadius")
+    return _AROUND * radii.GetRange(0)[1] if radii is not None else 0.0
