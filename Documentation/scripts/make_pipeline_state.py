@@ -34,12 +34,13 @@ VIEWS = {
     "segments": (("segments", 0, ("CELLS", "Group")),),
     "plan": (("plan", 0, ("CELLS", "ObjectId")), ("reader", 1, None)),
     "trees": (("flights", 0, ("CELLS", "Tree")),),
-    "gas": (("gas", 1, ("POINTS", "Residual")),),
+    "gas": (("gas", 1, None),),
     "vortices": (("fit", 0, None), ("fit", 1, ("POINTS", "ResidualForce"))),
     "poses": (("turn", 0, None), ("reader", 2, None)),
 }
 
-DARK = ("poses",)  # before what waft.show puts behind them: faint paths and a pale floor are not seen on white
+# Before what waft.show puts behind them: what is pale is not seen on white.
+DARK = ("smoke", "gas", "vortices", "poses")
 
 
 def join(folder):
