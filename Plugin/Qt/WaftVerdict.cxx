@@ -3,12 +3,13 @@
 
 #include "WaftStages.h"
 
+#include <pqApplicationCore.h>
 #include <pqPipelineSource.h>
+#include <pqServerManagerModel.h>
 
 #include <vtkAlgorithm.h>
 #include <vtkMotionReport.h>
 #include <vtkNew.h>
-#include <vtkPVDataInformation.h>
 #include <vtkPolyData.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSourceProxy.h>
@@ -122,10 +123,12 @@ vtkSMProxy* FlightOf(vtkSMProxy* source)
   return nullptr;
 }
 
+// To ask for data would make them.
 bool HasFlown(vtkSMProxy* flight)
 {
-  vtkPVDataInformation* meshes = vtkSMSourceProxy::SafeDownCast(flight)->GetDataInformation(0);
-  return meshes != nullptr && meshes->GetNumberOfPoints() > 0;
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  auto* source = model->findItem<pqPipelineSource*>(flight);
+  return source != nullptr && source->modifiedState() != pqProxy::UNINITIALIZED;
 }
 
 vtkPolyData* PosesOf(vtkSMProxy* flight)

@@ -17,7 +17,7 @@ namespace waft
 bool IsFlight(vtkSMProxy* source);
 /// The one that a source is part of; nullptr without any.
 vtkSMProxy* FlightOf(vtkSMProxy* source);
-/// Whether it has bodies to show.
+/// Whether it was asked to fly.
 bool HasFlown(vtkSMProxy* flight);
 /// Its ways; nullptr where the client has none.
 vtkPolyData* PosesOf(vtkSMProxy* flight);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: makes a scene and a folder of results; notes, a line a change, what stands in the
-pipeline browser and what of the flight is shown."""
+pipeline browser, that nothing of it flies before it is applied, and what of the flight is shown."""
 import os
 import pathlib
 import sys
@@ -22,11 +22,18 @@ sample_folder.write(str(flight))
 (flight / "report.json").write_text('{"scene": "autumn.waft.json"}', encoding="utf-8")
 
 
+def kind_of(source):
+    """Of a scene whose bodies were asked for: flown."""
+    name = source.SMProxy.GetXMLName()
+    poses = source.GetClientSideObject().GetOutputDataObject(1) if name == "WaftAnimation" else None
+    return f"{name}, flown" if poses and poses.GetNumberOfPoints() else name
+
+
 def look():
     named = {name: source for (name, _), source in simple.GetSources().items()}
     flown = next((source for source in named.values() if source.SMProxy.GetXMLName() == "MotionResultsReader"), None)
     shown = [one.SMProxy.GetXMLName() for one in view.Representations if one.Visibility and one.Input.SMProxy == flown.SMProxy] if flown else []
-    write_change([{name: source.SMProxy.GetXMLName() for name, source in named.items()}, sorted(shown)])
+    write_change([{name: kind_of(source) for name, source in named.items()}, sorted(shown)])
 
 
 watch(look)
