@@ -14,6 +14,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 import types
@@ -247,15 +248,23 @@ class SceneTest(unittest.TestCase):
         from waft import vtkMotionSceneReader
 
         scene = everything()
+        # By a link: what the scene names is beside the file that it leads to.
+        (self.folder / "deep").mkdir()
+        shutil.copy(os.path.join(SCENES, "star.png"), self.folder / "deep/star.png")
+        scene.add_keyframe(45, image=self.folder / "deep/star.png", origin=(0, 0, 2), width=2, count=4)
+        scene.add_shape("starry", "leaf", texture=self.folder / "deep/star.png")
         scene.add_position(np.int64(1), 30, np.array([0.5, 0.25, 3.0], np.longdouble), radius=np.longdouble(0.5))
-        scene.save(self.folder / "scene.waft.json")
-        errors = []
+        scene.save(self.folder / "deep/scene.waft.json")
+        (self.folder / "scene.waft.json").symlink_to("deep/scene.waft.json")
+        self.assertIn(str(self.folder / "deep/star.png"), waft.Scene.load(self.folder / "scene.waft.json").files())
+        errors, warnings = [], []
         from waft.watching import collect
         reader = vtkMotionSceneReader()
         collect(reader, "ErrorEvent", errors)
+        collect(reader, "WarningEvent", warnings)
         reader.SetFileName(str(self.folder / "scene.waft.json"))
         reader.Update()
-        self.assertEqual([], errors)
+        self.assertEqual(([], []), (errors, [text for text in warnings if "star.png" in text]))
         self.assertEqual(8, reader.GetOutputDataObject(0).GetNumberOfPoints())
         self.assertEqual((0.5, 0.25, 3.0), reader.GetOutputDataObject(1).GetPoint(reader.GetOutputDataObject(1).GetNumberOfPoints() - 1))
 

@@ -42,7 +42,10 @@ SceneJson Shallow(const SceneJson& json, int levels = MostLevels)
 class PartsOfFile
 {
 public:
-  PartsOfFile(const SceneJson& root, const std::string& folder) : Root(root), Folder(folder) {}
+  PartsOfFile(const SceneJson& root, const std::string& name, const std::string& folder) :
+    Root(root), Name(name), Folder(folder)
+  {
+  }
 
   /// Of some sections; an empty text where the file has none of them.
   std::string Text(const std::vector<std::string>& sections) const
@@ -85,7 +88,7 @@ private:
     {
       std::error_code error;
       const auto path =
-        std::filesystem::absolute(std::filesystem::path(this->Folder) / name, error);
+        std::filesystem::absolute(FileOfScene(this->Name, this->Folder, name), error);
       return error ? name : path.lexically_normal().string();
     };
     for (SceneJson& entry : section)
@@ -100,10 +103,27 @@ private:
   }
 
   const SceneJson& Root;
+  const std::string& Name;
   const std::string& Folder;
 };
 
 } // namespace
+
+std::filesystem::path FileOfScene(const std::string& scene, const std::string& folder,
+                                  const std::string& name)
+{
+  const std::filesystem::path beside = std::filesystem::path(folder) / name;
+  std::error_code error;
+  if (!std::filesystem::exists(beside, error) && std::filesystem::is_symlink(scene, error))
+  {
+    const auto behind = std::filesystem::canonical(scene, error).parent_path() / name;
+    if (std::filesystem::exists(behind, error))
+    {
+      return behind;
+    }
+  }
+  return beside;
+}
 
 void RenameFiles(SceneJson& entry, const std::function<std::string(const std::string&)>& rename)
 {
@@ -127,9 +147,10 @@ void RenameFiles(SceneJson& entry, const std::function<std::string(const std::st
   }
 }
 
-void KeepAuthored(const SceneJson& root, const std::string& folder, Scene& scene)
+void KeepAuthored(const SceneJson& root, const std::string& name, const std::string& folder,
+                  Scene& scene)
 {
-  const PartsOfFile parts(root, folder);
+  const PartsOfFile parts(root, name, folder);
   std::vector<std::string> ofObjects = { "title", "objects" };
   for (const auto& item : root.items())
   {

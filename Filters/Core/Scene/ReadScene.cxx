@@ -33,7 +33,7 @@ int SceneReader::Frame(const SceneNode& node) const
 std::string SceneReader::File(const SceneNode& node) const
 {
   const std::string text = node.Text();
-  const std::filesystem::path path = std::filesystem::path(this->Folder) / text;
+  const std::filesystem::path path = FileOfScene(this->Name, this->Folder, text);
   std::error_code error;
   if (text.empty() || !std::filesystem::is_regular_file(path, error))
   {
@@ -224,7 +224,7 @@ Result Parse(const std::string& text, const std::string& name, const std::string
         reader.KeepDrawings(*drawings);
       }
       reader.Read(SceneNode(json, ""));
-      KeepAuthored(json, folder, read);
+      KeepAuthored(json, name, folder, read);
     }
     catch (const SceneError& error)
     {

@@ -2,6 +2,7 @@
 // Shapes and objects of a scene file.
 #include "Base/NumberText.h"
 #include "Base/ShapeMeasures.h"
+#include "Scene/AuthoredParts.h"
 #include "Scene/BlueNoise.h"
 #include "Scene/MeshQueries.h"
 #include "Scene/SceneReader.h"
@@ -70,7 +71,7 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
   {
     // A body without its picture still flies: it goes on in its plain colour.
     const SceneNode texture = node.At("texture", "");
-    const std::filesystem::path path = std::filesystem::path(this->Folder) / texture.Text();
+    const std::filesystem::path path = FileOfScene(this->Name, this->Folder, texture.Text());
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error))
     {

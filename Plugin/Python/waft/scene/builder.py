@@ -255,8 +255,7 @@ class Scene:
             place, expected, found = wrong
             raise BadInput(f"{path}: {place or '/'}: expected {expected}, found {found}")
         scene = cls()
-        folder = os.path.dirname(os.path.abspath(path))
-        scene._data = _schema.with_files(data, _schema.definition("scene"), lambda file: os.path.join(folder, file))
+        scene._data = _schema.with_files(data, _schema.definition("scene"), lambda file: _file_of_scene(path, file))
         for objects in scene._data.get("objects", ()):
             scene._ids.update(dict.fromkeys(scene._new_ids(objects)))
         return scene
@@ -407,6 +406,12 @@ def _is_scene(path):
     except BadInput:
         return False
     return isinstance(content, dict) and "waft" in content
+
+
+def _file_of_scene(scene, name):
+    """The path of a file that a scene names: beside its own file, else, where that is a link, beside what it leads to."""
+    beside, behind = (os.path.join(os.path.dirname(own), name) for own in (os.path.abspath(scene), os.path.realpath(scene)))
+    return behind if os.path.exists(behind) and not os.path.exists(beside) else beside
 
 
 def _given(arguments):
