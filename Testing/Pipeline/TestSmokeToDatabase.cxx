@@ -94,6 +94,7 @@ TEST(SmokeToDatabase, AnnotationNamesTheVorticesOfTheSmoke)
   trace->Update();
   EXPECT_EQ(trace->GetWorkDone(), done);
   trace->SetSlice(0.0);
+  trace->GoOn();
   trace->Update();
   EXPECT_EQ(trace->GetComplete(), 1);
   std::vector<Vortex> vortices;
