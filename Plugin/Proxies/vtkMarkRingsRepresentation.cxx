@@ -30,17 +30,16 @@ namespace
 constexpr double Least = 0.006;       // radius of a ring, over the diagonal of the volume
 constexpr double FewMarks = 60.0;     // marks from which on rings are smaller
 constexpr int Position = 0, Rest = 4; // Kinds of rows that are places
-constexpr double Hole = 0.72;         // of a ring, over its radius
-constexpr double Lift =
-  0.1; // of a ring that lies, over its radius: bodies dip into what they lie on
-constexpr double LyingSize = 2.5; // its radius, over that of others: it goes round a body
-constexpr int Corners = 48;       // of such a ring
+// Of rings that lie: their radius, over that of others, for they go round bodies; what is clear of
+// it; and how high they hang, for bodies dip into what they lie on.
+constexpr double LyingSize = 2.5, LyingHole = 0.72, Lift = 0.1;
+constexpr int Corners = 48;
 using Rgb = std::array<unsigned char, 3>;
 constexpr Rgb Waiting{ 235, 150, 40 }, Met{ 40, 190, 120 }, Missed{ 215, 60, 45 };
 // Offsets are in radii. The colour is as it is told, whatever the light.
 constexpr const char* Ring = "//VTK::Color::Impl\n"
                              "  float away = length(offsetVCVSOutput.xy);\n"
-                             "  if (away > 1.0 || away < 0.72) discard;\n" // as Hole
+                             "  if (away > 1.0 || away < 0.72) discard;\n"
                              "  ambientColor = vertexColorVSOutput.rgb;\n"
                              "  diffuseColor = vec3(0.0);\n";
 
@@ -86,7 +85,7 @@ struct LyingRings
     for (int corner = 0; corner < Corners; ++corner)
     {
       const double angle = 2.0 * vtkMath::Pi() * corner / Corners;
-      for (const double away : { Hole * radius, radius })
+      for (const double away : { LyingHole * radius, radius })
       {
         this->Places->InsertNextPoint(x + away * std::cos(angle), y + away * std::sin(angle), z);
         this->Colors->InsertNextTypedTuple(color.data());
@@ -129,7 +128,7 @@ void vtkMarkRingsRepresentation::AddParts(vtkPolyData* block, double time, Parts
   const double now = std::round(time * rate);
   const double least = LeastRadius(block);
   const double missing = std::numeric_limits<double>::quiet_NaN();
-  vtkDataArray* surfaces = rows->GetArray("LandingHeight");
+  vtkDataArray* surfaces = block->GetFieldData()->GetArray("LandingHeight");
   LyingRings lying;
   vtkNew<vtkPoints> places;
   vtkNew<vtkFloatArray> radii;

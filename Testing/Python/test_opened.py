@@ -108,8 +108,9 @@ class OpenedTest(unittest.TestCase):
     def test_rests_say_on_what_bodies_come_to_lie(self):
         reader = simple.MotionResultsReader(FileName=str(self.report))
         waft.update(reader)
-        rows = surface(reader["Marks"]).GetPointData()
-        kinds, heights = (vtk_to_numpy(rows.GetArray(name)) for name in ("Kind", "LandingHeight"))
+        rows = surface(reader["Marks"])
+        kinds = vtk_to_numpy(rows.GetPointData().GetArray("Kind"))
+        heights = vtk_to_numpy(rows.GetFieldData().GetArray("LandingHeight"))
         np.testing.assert_array_equal(np.isnan(heights), kinds != 4)
         np.testing.assert_allclose(heights[kinds == 4], self.positions[:2, 48, 2])  # these bodies have no height of rest
 
@@ -281,7 +282,8 @@ class PictureTest(unittest.TestCase):
         self.at(60)
         seen, _, mask = self.taken("lying", "Marks")
         rows = surface(self.reader["Marks"])
-        kinds, heights = (vtk_to_numpy(rows.GetPointData().GetArray(name)) for name in ("Kind", "LandingHeight"))
+        kinds = vtk_to_numpy(rows.GetPointData().GetArray("Kind"))
+        heights = vtk_to_numpy(rows.GetFieldData().GetArray("LandingHeight"))
         angles = np.arange(16) * np.pi / 8
         away = 0.86 * 2.5 * 0.006 * np.linalg.norm([2.0, 2.0, 2.0])  # in the middle of the band
         for rest in np.flatnonzero(kinds == 4):

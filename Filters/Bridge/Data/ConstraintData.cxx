@@ -289,7 +289,7 @@ void AddLandings(const std::vector<Constraint>& constraints,
       heights.back() = places[std::min(frame, places.size() - 1)].z() - below[row.ObjectId];
     }
   }
-  AddDoubles(rows->GetPointData(), names::LandingHeight, heights);
+  AddDoubles(rows->GetFieldData(), names::LandingHeight, heights);
 }
 
 std::vector<int> SettledFrames(const std::vector<Constraint>& constraints,

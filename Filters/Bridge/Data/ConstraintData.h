@@ -57,8 +57,8 @@ void TakeStatuses(const std::vector<Line>& report, std::vector<Constraint>& cons
 /// lie.
 void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* tracks);
 
-/// Point data `LandingHeight` of rows: of a rest that is met the height [m] of the surface that its
-/// body comes to lie on, as its track says; NaN of others. objects: those of the rows.
+/// Field data `LandingHeight`, a number a row: of a rest that is met the height [m] of the surface
+/// that its body comes to lie on, as its track says; NaN of others. objects: those of the rows.
 void AddLandings(const std::vector<Constraint>& constraints,
                  const std::vector<MotionObject>& objects, const std::vector<Track>& tracks,
                  vtkPolyData* rows);
