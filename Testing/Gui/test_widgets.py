@@ -133,7 +133,7 @@ class WidgetTest(WindowTest):
         for own, wanted in zip(followed[-1]["focus"], followed[-1]["flight"]["middle"]):
             self.assertAlmostEqual(own, wanted, places=5, msg="the camera looks at the middle of the bodies")
         self.assertEqual(followed[-1]["views"], ["RenderView", "SpreadSheetView"])
-        shown = {step for note in notes for step in note["steps"] if "RenderView" in step or "Representation" in step}
+        shown = {step for note in notes for step in note["steps"] if "RenderView" in step or "MotionRepresentation" in step}
         self.assertEqual(shown, set(), "what Waft sets of a view is no step")
 
     def test_a_start_is_typed_and_dragged(self):
