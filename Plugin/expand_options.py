@@ -108,9 +108,11 @@ def names_of_before(root):
         if renamed:
             added = ElementTree.SubElement(root, "ProxyGroup", {"name": other[group.get("name")]})
             for proxy in renamed:
-                ElementTree.SubElement(added, proxy.tag, {
+                former = ElementTree.SubElement(added, proxy.tag, {
                     "name": proxy.get("name"), "class": proxy.get("class"), "label": label_of(proxy.get("name")),
                     "base_proxygroup": group.get("name"), "base_proxyname": proxy.get("name")})
+                hints = ElementTree.SubElement(former, "Hints")  # which no definition takes over from another
+                hints.extend(hint for hint in proxy.find("Hints") if hint.tag != "ShowInMenu")
 
 
 def expand(root, classes):

@@ -283,7 +283,7 @@ class AnimationTest(unittest.TestCase):
         simple.LoadState(state)
         again = next(s for s in simple.GetSources().values() if s.SMProxy.GetXMLName() == "WaftAnimation")
         again.UpdatePipeline()
-        self.assertEqual([again.Quality, again.StopAfter, again.Seed], ["Paper", "Plan", 3])
+        self.assertEqual([again.Quality, again.StopAfter, again.Seed], ["As in the 2005 paper", "Plan", 3])
         np.testing.assert_array_equal(places(output(again, "PlannedTracks")), before)
         planner = simple.FindSource("Planner")
         self.assertEqual(planner.Seed, 3)
