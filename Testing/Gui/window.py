@@ -43,7 +43,8 @@ class Screen:
 def run_paraview(folder, arguments, size=None, frames=0):
     """ParaView's exit status and what it printed; with a size its window fills the screen. frames: of scenes that scripts shorten."""
     with Screen(folder, size) if size else Screen(folder) as display:
-        environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
+        environment = {**os.environ, "DASHBOARD_TEST_FROM_CTEST": "1",  # no question of ParaView's own
+                       "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
                        "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": f"{MODULES}{os.pathsep}{HERE}", "WAFT_GUI_LOG": str(folder / "log"),
                        "WAFT_GUI_SCENE": str(folder / "kept.waft.json"), "WAFT_GUI_SAMPLES": str(HERE.parent / "Python"),
                        "WAFT_GUI_SCREEN": str(folder / "Xvfb_screen0"), "WAFT_GUI_FRAMES": str(frames)}
