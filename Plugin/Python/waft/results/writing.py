@@ -208,8 +208,8 @@ def _write_air_series(run, place, rounded, interval, wind_steps):
                 if values is None or (name != "air" and number % wind_steps != 0):
                     continue
                 image = data.NewInstance()
-                image.ShallowCopy(data)
-                image.GetPointData().Initialize()
+                image.CopyStructure(data)
+                image.GetFieldData().DeepCopy(data.GetFieldData())  # two are written at once, and each notes ranges in its arrays
                 image.GetPointData().AddArray(values)
                 entries[name].append((time, f"{name}/{name}_{step:04d}.vti"))
                 files.write(image, place.path(entries[name][-1][1]))
