@@ -124,7 +124,6 @@ class Files(unittest.TestCase):
         self.assertEqual(chosen(10, 24.0), [0, 2, 4, 6, 8, 9])
         self.assertEqual(chosen(5, 8.0), [0, 1, 2, 3, 4])  # frames that are farther apart
         self.assertEqual(chosen(1, 30.0), [0])
-        self.assertEqual(spaced([0.0, 1.0, 2.0], float("inf")), [(0, 0.0)])
         self.assertEqual([step for step, _ in spaced([0.0, 0.1, 0.2], 0.0)], [0, 1, 2])
 
 

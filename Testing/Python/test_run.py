@@ -244,7 +244,7 @@ class RunTest(unittest.TestCase):
                 # Stopped while it looks at its inputs, the optimiser gives nothing, and the motion is that of the stage before.
                 self.assertIn(report["stopped"]["motion"], (motion,) if motion else ("planner", "assimilation", "spacetime"))
                 self.assertEqual(report["stopped"]["motion"] == "spacetime", "spacetime" in report["stages"])
-                self.assertEqual(run.assimilation is not None and not run.has_air, (out / "air.pvd").exists())
+                self.assertFalse((out / "air.pvd").exists(), "there was no air, or it waits for who resumes")
                 self.assertEqual(run.spacetime is not None, (out / "convergence.csv").read_text().count("\n") > 1)
                 self.assertEqual(183, len((out / "poses.csv").read_text().splitlines()) - 1)
 

@@ -184,9 +184,7 @@ def _write_air(run, place, checkpoint):
         copy_file(place.path("optimized.vtp"), place.path("assimilated.vtp"))
     else:
         write_tracks(run.output("assimilation", 0), place.path("assimilated.vtp"))
-    if not run.has_air:  # all steps are the same calm one
-        _write_air_series(run, place, half, float("inf"), 1)
-    elif not run.hurries:
+    if run.has_air and not run.hurries:
         if "air" in run.keep:
             _write_air_series(run, place, half, 0.0, 1)
         else:  # so small that it is kept
@@ -254,10 +252,8 @@ def _times(algorithm, port):
 
 def spaced(times, interval):
     """(number, time) of the first of the times, of those that keep at most the interval from the one before, and of the last:
-    as few as that takes. Of an endless interval the first alone."""
+    as few as that takes."""
     steps = list(enumerate(times))
-    if interval == float("inf"):
-        return steps[:1]
     chosen = steps[:1]
     for here, after in zip(steps[1:], steps[2:] + [None]):
         if after is None or after[1] - chosen[-1][1] > interval * (1.0 + 1e-9):
