@@ -79,6 +79,7 @@ LEFT = {
     ("Obstacles.md", "z = surface height"): FORMULA,
     ("Paper.md", "pvpython Documentation/scripts/paper_table.py"): "Python.SixStages runs it on a small result",
     ("Paper.md", "pvpython Documentation/scripts/paper_switches.py"): "Python.SixStages flies each switch of it on a small scene",
+    ("Performance.md", "python3 Testing/Python/test_scale.py"): "flies eleven scenes; Python.Scale does so at night",
     ("Performance.md", "Testing/Benchmarks/all"): "benchmarks, for an hour",
     ("Performance.md", "Testing/Benchmarks/growth"): "flights of all sizes, for hours",
     ("Pipeline.md", "pvpython Documentation/examples/six_stages.py"): BY_HAND,
