@@ -126,7 +126,7 @@ class Stopping(unittest.TestCase):
 
     def test_while_the_air_of_many_frames_is_drawn(self):
         self.assertLess(self.stop_when_planned(LONG), SEEN_WITHIN + LOADED)
-        self.assertEqual(["air_0000.vti"], [path.name for path in (self.folder / "out/air").iterdir()])
+        self.assertFalse((self.folder / "out/air.pvd").exists(), "there was no air yet")
 
     def test_that_the_system_killed_says_so(self):
         process = subprocess.Popen([*map(str, self.synthesize(MEDIUM))], stderr=subprocess.PIPE, text=True)
