@@ -61,6 +61,7 @@ public:
         this->Fly(stage);
       }
     }
+    this->Flight.Plans = this->Stages[ChainStage::Planner];
     this->Flight.Bodies = this->Stages[ChainStage::Rotation];
     const std::vector<SourcePort> marks = JoinedTo(this->Flight.Bodies, "Constraints");
     this->Flight.Marks = { marks.front().Source, marks.front().Index };
@@ -354,7 +355,7 @@ bool SaveFlownScene(vtkSMSourceProxy* bodies, const std::string& file)
   return writer->GetDataInformation(0)->GetNumberOfPoints() > 0; // none where it fails
 }
 
-SceneFlight FlyScene(vtkSMSessionProxyManager* session, int quality, bool isChosen)
+SceneFlight FlySources(vtkSMSessionProxyManager* session, int quality, bool isChosen)
 {
   return Flying(session, static_cast<Quality>(quality), isChosen).Run();
 }

@@ -19,6 +19,7 @@ struct SceneFlight
 {
   std::string Refusal;                 // a sentence on what is missing; nothing was changed then
   std::vector<vtkSMSourceProxy*> Made; // stages that were not there before
+  vtkSMSourceProxy* Plans = nullptr;   // the planner
   vtkSMSourceProxy* Bodies = nullptr;  // the stage whose ports are meshes (0) and poses (1)
   std::pair<vtkSMSourceProxy*, unsigned int> Marks; // as the flight meets them
   std::vector<vtkSMSourceProxy*> Drawn;             // sources that bodies and marks stand for
@@ -28,8 +29,8 @@ struct SceneFlight
 /// in which they were made, to the stages of a quality (of waft::Quality). Objects without a body
 /// are leaves, where there is no shape at all. Where stages fly some of these sources already, the
 /// others are joined to them; only `isChosen` puts another quality on them.
-VTKWAFTPROXIES_EXPORT SceneFlight FlyScene(vtkSMSessionProxyManager* session, int quality,
-                                           bool isChosen);
+VTKWAFTPROXIES_EXPORT SceneFlight FlySources(vtkSMSessionProxyManager* session, int quality,
+                                             bool isChosen);
 
 /// Writes the scene that stages fly, of which `bodies` is the last, as a scene file. False where it
 /// could not be written, which was said.

@@ -142,7 +142,7 @@ void WaftFly::Run()
   }
   this->ApplyPanels();
   SCOPED_UNDO_SET("Fly");
-  const waft::SceneFlight flight = waft::FlyScene(session, this->Quality, this->IsChosen);
+  const waft::SceneFlight flight = waft::FlySources(session, this->Quality, this->IsChosen);
   if (!flight.Refusal.empty())
   {
     Q_EMIT this->refused(QString::fromStdString(flight.Refusal));
@@ -157,6 +157,7 @@ void WaftFly::Run()
       stage->setModifiedState(pqProxy::UNMODIFIED);
     }
   }
+  Q_EMIT this->begun(ItemOf(flight.Plans));
   if (!flight.Made.empty())
   {
     Show(flight);

@@ -25,6 +25,8 @@ public:
 Q_SIGNALS:
   /// A stage that is new; before it does anything.
   void made(pqPipelineSource* stage);
+  /// What is about to fly, by its planner; nothing of it has flown yet.
+  void begun(pqPipelineSource* planner);
   /// Why nothing flies.
   void refused(const QString& why);
   /// The active flight is to be drawn another air.

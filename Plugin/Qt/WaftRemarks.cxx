@@ -17,13 +17,11 @@
 #include <QRegularExpression>
 
 #include <algorithm>
-#include <iterator>
 
 namespace
 {
 
-constexpr int Most = 100;                        // that are kept of a source
-constexpr const char* Unmet = "cannot be met: "; // as `waft check` begins what a report says later
+constexpr int Most = 100; // that are kept of a source
 
 /// The first of those that are alike but for their numbers, with how many more there are.
 QStringList FirstOfEach(const QStringList& lines)
@@ -102,7 +100,7 @@ void WaftRemarks::onStart(vtkObject*, unsigned long, void* source, void*)
   this->Of.remove(static_cast<vtkSMProxy*>(source));
 }
 
-void WaftRemarks::Find(vtkSMProxy* source, const QStringList& findings)
+void WaftRemarks::Find(vtkSMProxy* source, const QVector<WaftFinding>& findings)
 {
   this->Found[source] = findings;
 }
@@ -124,12 +122,14 @@ QStringList WaftRemarks::LinesOf(vtkSMProxy* source)
   }
   for (pqPipelineSource* one : related)
   {
-    const QStringList found = this->Found[one->getProxy()];
-    // What has flown says itself how many marks are not met, and which.
-    std::copy_if(found.begin() + (hasFlown && !found.isEmpty() ? 1 : 0), found.end(),
-                 std::back_inserter(lines),
-                 [hasFlown](const QString& finding)
-                 { return !hasFlown || !finding.startsWith(Unmet); });
+    for (const WaftFinding& finding : this->Found[one->getProxy()])
+    {
+      // What has flown says itself how many marks are not met, and which.
+      if (!hasFlown || finding.IsPossible)
+      {
+        lines << finding.Text;
+      }
+    }
   }
   for (const QString& remark : said)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "WaftCheck.h"
+
 #include <QMap>
 #include <QObject>
 #include <QStringList>
@@ -25,7 +27,7 @@ public:
 
   void ListenTo(vtkSMProxy* source);
   /// What is to be said of a source's scene file, in place of what was.
-  void Find(vtkSMProxy* source, const QStringList& findings);
+  void Find(vtkSMProxy* source, const QVector<WaftFinding>& findings);
   /// A stage begins anew: what it warned of is no more.
   void Forget(vtkSMProxy* source) { this->Of.remove(source); }
   /// Of a source, whom it takes from and who takes from it: the worst first, and of those that are
@@ -38,6 +40,6 @@ private Q_SLOTS:
 
 private:
   vtkNew<vtkEventQtSlotConnect> Events;
-  QMap<vtkSMProxy*, QStringList> Of;    // warnings
-  QMap<vtkSMProxy*, QStringList> Found; // before anything flies
+  QMap<vtkSMProxy*, QStringList> Of;             // warnings
+  QMap<vtkSMProxy*, QVector<WaftFinding>> Found; // before anything flies
 };

@@ -81,6 +81,7 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   fly->setPopupMode(QToolButton::MenuButtonPopup);
   fly->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   this->connect(this->Fly, &WaftFly::made, this, &WaftToolBar::onSourceMade);
+  this->connect(this->Fly, &WaftFly::begun, this->Check, &WaftCheck::LookAtPlan);
   this->connect(this->Fly, &WaftFly::refused, this, &WaftToolBar::onRefused);
   this->connect(this->Fly, &WaftFly::newAirWanted, this, &WaftToolBar::onNewAir);
   this->connect(this->Hold, &WaftHold::wanted, this,
@@ -344,7 +345,7 @@ void WaftToolBar::onRefused(const QString& why)
   this->Say("nothing flies: " + why, "nothing flies: " + why);
 }
 
-void WaftToolBar::onFound(pqPipelineSource* source, const QStringList& findings)
+void WaftToolBar::onFound(pqPipelineSource* source, const QVector<WaftFinding>& findings)
 {
   this->Remarks->Find(source->getProxy(), findings);
   this->onDataUpdated();

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <QTimer>
 #include <QToolBar>
+#include <QVector>
 
 #include <cstddef>
 
@@ -17,6 +18,7 @@ class WaftFly;
 class WaftFollow;
 class WaftHold;
 class WaftRemarks;
+struct WaftFinding;
 class pqPipelineSource;
 class pqServerManagerModelItem;
 
@@ -44,7 +46,7 @@ private Q_SLOTS:
   void onStop();
   void onGoOn();
   void onRefused(const QString& why);
-  void onFound(pqPipelineSource* source, const QStringList& findings);
+  void onFound(pqPipelineSource* source, const QVector<WaftFinding>& findings);
   void onRemarks();
   void onNewAir();
 

@@ -114,6 +114,7 @@ class WidgetTest(WindowTest):
             status, printed, notes = play("fly.xml", pathlib.Path(folder), "watch_byhand.py", frames=30)
             saved = json.loads((pathlib.Path(folder) / "flown.waft.json").read_text(encoding="utf-8"))
         self.check_run(status, printed)  # the script looks at what the tool bar says
+        self.assertIn("Fly: 2 objects, 3 constraints, 2 of them cannot be met", printed, "before it flew")
         flown = [note for note in notes if note["flight"].get("statuses")]
         one = flown[0]
         stages = ["Assimilation", "Planner", "Rotation"]

@@ -94,6 +94,14 @@ constexpr const char* Residual = "Residual";
 constexpr const char* Status = "Status";
 constexpr const char* Message = "Message";
 
+// What is found in a scene.
+constexpr const char* Possible = "Possible";
+constexpr const char* Text = "Text";
+constexpr const char* Place = "Place";
+constexpr const char* Lines = "Lines";
+constexpr const char* NumberOfObjects = "NumberOfObjects";
+constexpr const char* NumberOfConstraints = "NumberOfConstraints";
+
 // Obstacles.
 constexpr const char* ObstacleId = "ObstacleId";
 

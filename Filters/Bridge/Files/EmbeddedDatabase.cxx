@@ -17,6 +17,11 @@ Result ReadEmbeddedDatabase(MotionDatabase& database)
 {
   std::string path;
   WAFT_RETURN_IF_FAILED(FindDataFile("Database/embedded.vtm", path));
+  return ReadDatabaseFile(path, database);
+}
+
+Result ReadDatabaseFile(const std::string& path, MotionDatabase& database)
+{
   const vtkNew<vtkMultiBlockDataSet> data;
   Result result = ReadBlocksFile(path, data);
   result = result ? DatabaseFromMultiBlock(data, database) : result;

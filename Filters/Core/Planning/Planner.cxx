@@ -66,7 +66,7 @@ std::vector<unsigned char> FindBinding(const PlanOutput& output)
   return isBinding;
 }
 
-/// Sets Constraints and Report; returns for each row whether it is to be met.
+/// Sets Constraints, Report and TopSpeed; returns for each row whether it is to be met.
 std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentLibrary& library,
                                           PlanOutput& output)
 {
@@ -79,6 +79,7 @@ std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentL
       JudgeWithSpeeds(output.Constraints, input.Objects, input.Obstacles, input.Scene, limit);
     return FindBinding(output);
   };
+  output.TopSpeed = library.Database().TopSpeed;
   output.Constraints = input.Constraints;
   AssignKeyframes(input.Objects, output.Constraints);
   std::vector<unsigned char> isUsed = judge();
@@ -140,6 +141,26 @@ void CompleteReport(const PlanInput& input, PlanOutput& output)
 
 } // namespace
 
+Result JudgePlan(const PlanInput& input, const PlanOptions& options, const ParallelFor& parallelFor,
+                 PlanOutput& output)
+{
+  output = PlanOutput();
+  WAFT_RETURN_IF_FAILED(options.Validate());
+  WAFT_RETURN_IF_FAILED(CheckPlanInput(input));
+  std::shared_ptr<const PlanTools> tools;
+  WAFT_RETURN_IF_FAILED(TakeTools(input, options, parallelFor, nullptr, tools));
+  AssignAndJudge(input, tools->Library, output);
+  for (const MotionObject& object : input.Objects)
+  {
+    output.Objects.emplace_back();
+    output.Objects.back().ObjectId = object.ObjectId;
+  }
+  ReportStarts(input, output);
+  MarkUnmet(output.Report, output.Constraints);
+  CountLines(output);
+  return Result::Ok();
+}
+
 Result PlanMotion(const PlanInput& input, const PlanOptions& options,
                   const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
                   PlanCache* memory)
@@ -154,8 +175,6 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
     return Result::Stopped();
   }
   const std::vector<unsigned char> isUsed = AssignAndJudge(input, tools->Library, output);
-  output.TopSpeed = tools->Library.Database().TopSpeed;
-  // Who wants the rows judged and nothing flown stops here: the first flight may take long.
   bool goesOn = monitor.Tick(0.04, "Planning");
   ScenePlans plans = RecallPlans(input, options, output.Constraints, isUsed, memory);
   if (goesOn)

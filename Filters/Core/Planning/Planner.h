@@ -164,6 +164,11 @@ struct PlanOutput
 
 class PlanCache;
 
+/// What PlanMotion does first: gives rows to objects and judges them, and flies nothing. Sets
+/// Constraints, Report, TopSpeed and, of each object, its line. Fails as PlanMotion does.
+Result JudgePlan(const PlanInput& input, const PlanOptions& options, const ParallelFor& parallelFor,
+                 PlanOutput& output);
+
 /// Objects are planned independently and in parallel: what an object does depends on its own rows,
 /// the Seed and its ObjectId only. With a memory only those are planned whose own rows, data,
 /// guide, database, obstacles, volume or options changed since they were planned last; the result

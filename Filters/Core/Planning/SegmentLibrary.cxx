@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/SegmentLibrary.h"
 
+#include "Base/NumberText.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,6 +57,24 @@ Vec3 CentralStep(const std::vector<Vec3>& samples, int k)
   return (samples[b] - samples[a]) / static_cast<double>(b - a);
 }
 
+namespace
+{
+
+Result TooFewFrames(const MotionDatabase& database, double found)
+{
+  std::size_t shortest = ~std::size_t(0);
+  for (const int node : database.TopNodes)
+  {
+    shortest = std::min(shortest, database.Segments[database.Nodes[node].Medoid].ForceTypes.size());
+  }
+  const double steps = std::max(static_cast<double>(shortest) - 1.0, 1.0);
+  return Result::Error(
+    "FramesPerSecond: expected at least " + NumberText(4.0 * database.FramesPerSecond / steps) +
+    ", at which the shortest way of the motion database has 5 frames, found " + NumberText(found));
+}
+
+} // namespace
+
 Result SegmentLibrary::Build(const MotionDatabase& database, const SegmentLibraryOptions& options,
                              const ParallelFor& parallelFor)
 {
@@ -92,9 +112,7 @@ Result SegmentLibrary::Build(const MotionDatabase& database, const SegmentLibrar
     const std::vector<Vec3>& samples = this->AllSamples[segment];
     if (samples.size() < 5)
     {
-      return Result::Error("motion database: a representative has only " +
-                           std::to_string(samples.size()) +
-                           " samples at this frame rate, at least 5 expected");
+      return TooFewFrames(database, options.FramesPerSecond);
     }
     // The overlaps with the segment before and the one after must not meet.
     this->WindowSamples = std::min(this->WindowSamples, (static_cast<int>(samples.size()) + 1) / 2);

@@ -52,13 +52,13 @@ class Version:
 class Process:
     """A running command of waft."""
 
-    def __init__(self, line):
-        self.said = collections.deque(maxlen=_KEPT_LINES)
+    def __init__(self, line, errors=subprocess.PIPE, most=_KEPT_LINES):
+        self.said = collections.deque(maxlen=most)
         # A group of its own: a Ctrl-C for Blender is not one for the run, which Blender stops by itself.
-        self._process = subprocess.Popen(line, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        self._process = subprocess.Popen(line, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors,
                                          start_new_session=True)
         self._readers = [threading.Thread(target=self._read, args=(stream,), daemon=True)
-                         for stream in (self._process.stdout, self._process.stderr)]
+                         for stream in (self._process.stdout, self._process.stderr) if stream is not None]
         for reader in self._readers:
             reader.start()
         atexit.register(self.kill)

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run of `waft check` beside Blender, on a scene in a temporary folder. Nothing here knows of Blender."""
-import re
+import json
 import shutil
+import subprocess
 import tempfile
 
-from .command import ALL_MET, NOT_ALL_MET, Process
-
-_KINDS = ("cannot be met: ", "hard: ")  # how its lines begin
-_COUNT = re.compile(r" constraints, (\d+) of them cannot be met, ")  # in its last line: it may name only the first few
+from .command import Process
 
 
 class Look(Process):
@@ -16,7 +14,7 @@ class Look(Process):
     def __init__(self, command, write):
         self._folder = tempfile.mkdtemp(prefix="waft-check-")
         try:
-            super().__init__([command, "check", write(self._folder)])
+            super().__init__([command, "check", "--json", write(self._folder)], subprocess.DEVNULL, None)
         except BaseException:
             self._clear()
             raise
@@ -34,10 +32,11 @@ class Look(Process):
         if status is None:
             return None
         self._clear()
-        lines = [line.removeprefix("waft: ").removeprefix("warning: ") for line in self.said if line.startswith("waft: ")]
-        found = {kind: [line.removeprefix(kind) for line in lines if line.startswith(kind)] for kind in _KINDS}
-        if status in (ALL_MET, NOT_ALL_MET):
-            counted = [match for match in map(_COUNT.search, lines) if match]
-            return int(counted[-1][1]) if counted else len(found[_KINDS[0]]), *found.values(), []
-        wrong = [line.replace(f"{self._folder}/", "") for line in lines] or ["\n".join(self.said)[-300:] or "waft ended without a word"]
-        return 0, [], [], wrong
+        try:
+            answer = json.loads("\n".join(self.said))
+        except ValueError:
+            return 0, [], [], ["\n".join(self.said)[-300:] or "waft ended without a word"]
+        if "error" in answer:
+            return 0, [], [], [answer["error"].replace(f"{self._folder}/", "")]
+        lost, hard = ([finding["text"] for finding in answer["findings"] if finding["possible"] == is_hard] for is_hard in (False, True))
+        return len(lost), lost, hard, []

@@ -20,7 +20,7 @@ namespace waft
 namespace
 {
 
-constexpr int LeastFrames = 8;
+constexpr int LeastFrames = 2;
 constexpr double WindSpacingOverSide = 0.1; // the longest of the volume
 constexpr double LeastWindSpacing = 1.0 / 256.0;
 

@@ -10,6 +10,8 @@
 namespace waft
 {
 
+inline constexpr int LeastSpacetimeFrames = 3; // that a run can move
+
 /// Members have the defaults; the Visit templates say the rest of each field. They are three, by
 /// what depends on a field.
 struct SpacetimeOptions : TermWeights

@@ -100,6 +100,11 @@ Result SpacetimeBudget::Validate(std::size_t frames, const SpacetimeOptions& opt
 Result CheckRoom(const Box& volume, int frames, std::size_t objects,
                  const SpacetimeOptions& options)
 {
+  if (frames < LeastSpacetimeFrames)
+  {
+    return Result::Error("NumberOfFrames: at least " + std::to_string(LeastSpacetimeFrames) +
+                         " expected, found " + std::to_string(frames));
+  }
   const GasLattice lattice = GasLattice::Make(volume, options.NumberOfGasParticles);
   WAFT_RETURN_IF_FAILED(lattice.CheckLayers());
   SpacetimeModel model;

@@ -27,8 +27,6 @@ constexpr double ObjectMassFraction = 0.1;      // of a gas particle's mass, at 
 constexpr double AllObjectsMassFraction = 0.02; // of all gas, at most
 constexpr double ControlTime = 1.0 / 15.0;      // s: what changes faster is a jerk
 
-constexpr int LeastFrames = 3;
-
 // Objects in the order of the tracks.
 Result MatchObjects(const SpacetimeInput& input, SpacetimeSetup& setup)
 {
@@ -341,7 +339,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   setup = SpacetimeSetup();
   std::vector<int> grounds;
   for (const Result& result :
-       { options.Validate(), CheckTracks(input, LeastFrames), MatchObjects(input, setup) })
+       { options.Validate(), CheckTracks(input, LeastSpacetimeFrames), MatchObjects(input, setup) })
   {
     if (!result)
     {

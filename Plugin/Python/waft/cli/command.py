@@ -205,7 +205,7 @@ def parser() -> argparse.ArgumentParser:
     look = commands.add_parser("check", help="what of a scene cannot be, and what will be hard", epilog=CHECK_EXIT)
     look.add_argument("scene", type=path, help="scene file, *.waft.json")
     look.add_argument("--database", type=path, metavar="FILE", help=SENTENCES["database"])
-    look.set_defaults(run=run_check)
+    look.set_defaults(run=run_check, needs_paraview=False)
 
     about = commands.add_parser("info", help="what a result or a scene holds, and whether a result can be gone on with",
                                 epilog=INFO_EXIT)
@@ -401,20 +401,18 @@ def run_new(options):
 
 
 def run_check(options):
-    from waft.scene.checking import check, first_of_each
+    from waft.scene.checking import check
 
     with interruptible("stopped: a check writes nothing"):
-        looked, findings = check(options.scene, options.database)
-    for is_possible, text in first_of_each(findings):
-        tell(options, f"waft: {'hard' if is_possible else 'cannot be met'}: {text}")
-    if any(names_a_row(finding.text) for finding in findings):
+        found = check(options.scene, options.database)
+    for text in found.lines:
+        tell(options, f"waft: {text}")
+    if any(names_a_row(text) for text in found.lines):
         tell(options, f"waft: {ROWS}")
-    impossible = sum(not finding.is_possible for finding in findings)
-    tell(options, f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be "
-                  f"met, {len(findings) - impossible} remarks on what will be hard")
-    options.answer.update(scene=options.scene, objects=len(looked.ids), constraints=len(looked.report), findings=[
-        {"possible": finding.is_possible, "kind": finding.kind, "text": finding.text} for finding in findings])
-    return failures.NOT_ALL_MET if impossible else failures.ALL_MET
+    tell(options, f"waft: {options.scene}: {found.objects} objects, {found.constraints} constraints, {found.impossible} of them cannot be "
+                  f"met, {len(found.findings) - found.impossible} remarks on what will be hard")
+    options.answer.update(scene=options.scene, objects=found.objects, constraints=found.constraints, findings=found.findings)
+    return failures.NOT_ALL_MET if found.impossible else failures.ALL_MET
 
 
 def run_info(options):
