@@ -60,25 +60,3 @@ string(CONFIGURE [=[
         <SimpleStringInformationHelper/>@WAFT_HIDDEN@
         <Documentation>What the stage does; done in the end, or why it failed.</Documentation>
       </StringVectorProperty>]=] WAFT_SLICES @ONLY)
-
-# A port that takes one connection: @WAFT_INPUT_POLYDATA@ inside an InputProperty. Of data in blocks the
-# domain asks for the blocks' type, as the stages do (Bridge/Pipeline/StageInputs.h); a list of shapes is
-# blocks itself, of either kind.
-function(waft_input result domain)
-  set(types)
-  foreach(type IN LISTS ARGN)
-    string(APPEND types "\n          <DataType value=\"${type}\"/>")
-  endforeach()
-  string(CONFIGURE [=[
-        <ProxyGroupDomain name="groups">
-          <Group name="sources"/>
-          <Group name="filters"/>
-        </ProxyGroupDomain>
-        <DataTypeDomain @domain@>@types@
-        </DataTypeDomain>]=] xml @ONLY)
-  set(${result} "${xml}" PARENT_SCOPE)
-endfunction()
-waft_input(WAFT_INPUT_POLYDATA [[name="input_type"]] vtkPolyData)
-waft_input(WAFT_INPUT_IMAGE [[name="input_type"]] vtkImageData)
-waft_input(WAFT_INPUT_MULTIBLOCK [[name="input_type" composite_data_supported="1"]]
-  vtkMultiBlockDataSet vtkPartitionedDataSet vtkPartitionedDataSetCollection)

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the server manager's XML of proxies whose options Core states: each <Option name="..."/> becomes the property of that name.
+"""Makes the server manager's XML of proxies whose options and ports Core states: each <Option name="..."/> becomes the property of that
+name, each <Input name="...">sentence</Input> the property of an input, <OutputPorts/> a port each.
 
-    expand_options.py OPTIONS.json IN.xml OUT.xml
+    expand_options.py OPTIONS.json CHAIN.json IN.xml OUT.xml
 
 Default, range, type and sentence are what Core says of the option (WaftDescribeOptions); an attribute or a child that stands in the
 <Option> comes in place of what would be made, and others are handed on: what a panel is besides (visibility, widget, hints) is stated
 by hand. A panel hides an option for as long as an input takes its effect away, and what is advanced and in no group comes in a last
-group. The class of the proxy says whose options they are."""
+group. The class of the proxy says whose options they are. What an input takes, and whether it is needed, says the chain, or the
+<Input> itself of a proxy that is none of its stages (type, optional)."""
 import json
 import pathlib
 import re
@@ -74,6 +76,39 @@ def property_of(option, stated):
     return made
 
 
+# Of data in blocks the domain asks for the blocks' type, as the stages do (Bridge/Pipeline/StageInputs.h); a list of shapes is blocks
+# itself, of either kind.
+BLOCKS = ("vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection")
+
+
+def input_of(stated, stage):
+    """The element of an input; stated: its <Input>."""
+    attributes = dict(stated.attrib)
+    name, kind, is_needed = attributes["name"], attributes.pop("type", None), not attributes.pop("optional", None)
+    if stage is not None:
+        kind, is_needed = stage["takes"][name]
+        attributes.setdefault("port_index", str(list(stage["takes"]).index(name)))
+    cleans = {} if is_needed else {"clean_command": f"RemoveAll{name}"}
+    made = ElementTree.Element("InputProperty", {"command": "SetInputConnection", **cleans,
+                                                 **{key: value for key, value in attributes.items() if value}})
+    groups = ElementTree.SubElement(made, "ProxyGroupDomain", {"name": "groups"})
+    for group in ("sources", "filters"):
+        ElementTree.SubElement(groups, "Group", {"name": group})
+    types = BLOCKS if kind in BLOCKS else (kind,)
+    domain = ElementTree.SubElement(made, "DataTypeDomain", {
+        "name": "input_type", **({"composite_data_supported": "1"} if types is BLOCKS else {})})
+    for one in types:
+        ElementTree.SubElement(domain, "DataType", {"value": one})
+    if not is_needed:
+        ElementTree.SubElement(ElementTree.SubElement(made, "Hints"), "Optional")
+    ElementTree.SubElement(made, "Documentation").text = stated.text
+    return made
+
+
+def ports_of(names):
+    return [ElementTree.Element("OutputPort", {"name": name, "index": str(index)}) for index, name in enumerate(names)]
+
+
 def group_advanced(proxy):
     """What is advanced and in no group of a panel comes in the last one, Advanced, which a proxy may have begun."""
     groups = proxy.findall("PropertyGroup")
@@ -115,9 +150,11 @@ def names_of_before(root):
                 hints.extend(hint for hint in proxy.find("Hints") if hint.tag != "ShowInMenu")
 
 
-def expand(root, classes):
-    """Replaces all <Option> in a tree; raises KeyError where Core has no such option."""
-    for proxy in root.iter():
+def expand(root, classes, chain):
+    """Replaces all <Option>, <Input> and <OutputPorts> in a tree; raises KeyError where Core has no such option or input."""
+    stages = {stage["proxy"]: stage for stage in chain["stages"]}
+    for proxy in list(root.iter()):
+        stage = stages.get(proxy.get("name"))
         options = {option["name"]: option for option in classes.get(proxy.get("class"), ())}
         for index, child in enumerate(list(proxy)):
             if child.tag == "Option":
@@ -125,6 +162,13 @@ def expand(root, classes):
                     raise KeyError(f"{proxy.get('class')}: Core states no option {child.get('name')}")
                 proxy[index] = property_of(options[child.get("name")], child)
                 proxy[index].tail = child.tail
+            elif child.tag == "Input":
+                proxy[index] = input_of(child, stage)
+                proxy[index].tail = child.tail
+        ports = proxy.find("OutputPorts")
+        if ports is not None:
+            index = list(proxy).index(ports)
+            proxy[index:index + 1] = ports_of(stage["outputs"] if stage is not None else chain["motion"])
         for held in proxy.findall("IntVectorProperty"):
             for domain in held.findall("EnumerationDomain"):
                 place = list(held).index(domain)
@@ -135,10 +179,10 @@ def expand(root, classes):
     return root
 
 
-def main(options, source, target):
-    classes = json.loads(pathlib.Path(options).read_text(encoding="utf-8"))
+def main(options, chain, source, target):
+    classes, chain = (json.loads(pathlib.Path(path).read_text(encoding="utf-8")) for path in (options, chain))
     tree = ElementTree.parse(source)
-    expand(tree.getroot(), classes)
+    expand(tree.getroot(), classes, chain)
     tree.write(target, encoding="utf-8")
 
 

@@ -9,6 +9,7 @@
 #include "Bridge/Files/InstalledData.h"
 #include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Chain/ChainScene.h"
 #include "Scene/Scene.h"
@@ -100,10 +101,7 @@ double* vtkMotionSceneReader::GetVolumeAboveGround()
 
 int vtkMotionSceneReader::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == SHAPES ? "vtkMultiBlockDataSet"
-                                             : port == WIND ? "vtkImageData"
-                                                            : "vtkPolyData");
-  return 1;
+  return waft::FillOutput(waft::ChainStage::Scene, port, info);
 }
 
 vtkTypeBool vtkMotionSceneReader::ProcessRequest(vtkInformation* request,

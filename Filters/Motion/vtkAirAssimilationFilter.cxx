@@ -61,17 +61,7 @@ enum OutputPort
   NumberOfOutputs
 };
 
-using waft::StageInput;
-
-const waft::StageInputs Inputs = {
-  { "Tracks", StageInput::Type::Surface },
-  { "Objects", StageInput::Type::Merged },
-  { "Constraints", StageInput::Type::Merged },
-  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
-  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
-  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
-  { "Shapes", StageInput::Type::Blocks, StageInput::Number::Optional },
-};
+const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Assimilation);
 
 } // namespace
 
@@ -227,11 +217,7 @@ int vtkAirAssimilationFilter::FillInputPortInformation(int port, vtkInformation*
 
 int vtkAirAssimilationFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const bool isTable = port == ReportPort || port == RoundsPort;
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), isTable           ? "vtkTable"
-                                             : port == AirPort ? "vtkImageData"
-                                                               : "vtkPolyData");
-  return 1;
+  return waft::FillOutput(waft::ChainStage::Assimilation, port, info);
 }
 
 vtkTypeBool vtkAirAssimilationFilter::ProcessRequest(vtkInformation* request,

@@ -10,6 +10,7 @@
 #include "Bridge/Files/ShapeColors.h"
 #include "Bridge/Pipeline/MotionOutputs.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Chain/EditedScene.h"
 #include "Chain/RunChain.h"
@@ -233,8 +234,8 @@ std::string vtkMotionAnimationSource::RangeError() const
 
 int vtkMotionAnimationSource::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), waft::DataTypeOf(static_cast<waft::MotionPort>(port)));
-  return 1;
+  const waft::ChainOutput& given = waft::MotionPorts()[static_cast<std::size_t>(port)].Given;
+  return waft::FillOutput(given.Stage, waft::PortOf(given), info);
 }
 
 vtkTypeBool vtkMotionAnimationSource::ProcessRequest(vtkInformation* request,

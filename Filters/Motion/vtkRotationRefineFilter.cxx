@@ -59,17 +59,7 @@ enum OutputPort
   NumberOfOutputs
 };
 
-using waft::StageInput;
-
-const waft::StageInputs Inputs = {
-  { "Tracks", StageInput::Type::Surface },
-  { "Objects", StageInput::Type::Merged },
-  { "Shapes", StageInput::Type::Blocks },
-  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
-  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
-  { "Constraints", StageInput::Type::Merged, StageInput::Number::Optional },
-  { "Air", StageInput::Type::Image, StageInput::Number::Optional },
-};
+const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Rotation);
 
 } // namespace
 
@@ -320,8 +310,7 @@ int vtkRotationRefineFilter::FillInputPortInformation(int port, vtkInformation* 
 
 int vtkRotationRefineFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == ReportPort ? "vtkTable" : "vtkPolyData");
-  return 1;
+  return waft::FillOutput(waft::ChainStage::Rotation, port, info);
 }
 
 vtkTypeBool vtkRotationRefineFilter::ProcessRequest(vtkInformation* request,

@@ -57,17 +57,7 @@ enum OutputPort
   NumberOfOutputs
 };
 
-using waft::StageInput;
-
-const waft::StageInputs Inputs = {
-  { "Tracks", StageInput::Type::Surface },
-  { "Objects", StageInput::Type::Merged },
-  { "Constraints", StageInput::Type::Merged },
-  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
-  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
-  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
-  { "Air", StageInput::Type::Image, StageInput::Number::Optional },
-};
+const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Spacetime);
 
 } // namespace
 
@@ -243,11 +233,7 @@ int vtkSPHSpacetimeFilter::FillInputPortInformation(int port, vtkInformation* in
 
 int vtkSPHSpacetimeFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const bool isTable = port == ConvergencePort || port == ReportPort;
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), isTable            ? "vtkTable"
-                                             : port == WindPort ? "vtkImageData"
-                                                                : "vtkPolyData");
-  return 1;
+  return waft::FillOutput(waft::ChainStage::Spacetime, port, info);
 }
 
 void vtkSPHSpacetimeFilter::EmptyConvergence(vtkTable* table)

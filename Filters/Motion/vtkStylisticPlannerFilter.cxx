@@ -64,15 +64,7 @@ enum OutputPort
   NumberOfOutputs
 };
 
-using waft::StageInput;
-
-const waft::StageInputs Inputs = {
-  { "Database", StageInput::Type::Blocks, StageInput::Number::Optional },
-  { "Objects", StageInput::Type::Merged },
-  { "Constraints", StageInput::Type::Merged },
-  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
-  { "Guides", StageInput::Type::Merged, StageInput::Number::Optional },
-};
+const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Planner);
 
 } // namespace
 
@@ -253,9 +245,7 @@ int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation
 
 int vtkStylisticPlannerFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(),
-            port == ReportPort || port >= TakesPort ? "vtkTable" : "vtkPolyData");
-  return 1;
+  return waft::FillOutput(waft::ChainStage::Planner, port, info);
 }
 
 vtkTypeBool vtkStylisticPlannerFilter::ProcessRequest(vtkInformation* request,

@@ -42,12 +42,7 @@ enum OutputPort
   NumberOfOutputs
 };
 
-using waft::StageInput;
-
-const waft::StageInputs Inputs = {
-  { "Input", StageInput::Type::Surface },
-  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
-};
+const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::VortexFit);
 
 } // namespace
 

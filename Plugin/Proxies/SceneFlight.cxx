@@ -50,9 +50,9 @@ public:
     this->FindStages();
     this->GiveBodies();
     this->GiveObjects();
-    for (const char* output : TraitsOf(ChainStage::Scene).Outputs)
+    for (const ChainPort& output : TraitsOf(ChainStage::Scene).Outputs)
     {
-      this->Gather(output);
+      this->Gather(output.Name);
     }
     for (const ChainStageTraits& stage : ChainStages())
     {
@@ -342,11 +342,11 @@ bool SaveFlownScene(vtkSMSourceProxy* bodies, const std::string& file)
   const auto proxy = vtkSmartPointer<vtkSMProxy>::Take(
     bodies->GetSessionProxyManager()->NewProxy("filters", "MotionSceneWriter"));
   auto* writer = vtkSMSourceProxy::SafeDownCast(proxy);
-  for (const char* output : TraitsOf(ChainStage::Scene).Outputs)
+  for (const ChainPort& output : TraitsOf(ChainStage::Scene).Outputs)
   {
-    for (const SourcePort& port : TakenOfScene(bodies, output))
+    for (const SourcePort& port : TakenOfScene(bodies, output.Name))
     {
-      vtkSMPropertyHelper(writer, output).Set(port.Source, port.Index);
+      vtkSMPropertyHelper(writer, output.Name).Set(port.Source, port.Index);
     }
   }
   vtkSMPropertyHelper(writer, "FileName").Set(file.c_str());

@@ -63,7 +63,7 @@ private:
     vtkSMPropertyHelper(reader, "FileName")
       .Set(vtkSMPropertyHelper(this->Source, "FileName").GetAsString());
     this->Register(reader, this->FreeName(stage.Name));
-    for (const char* output : stage.Outputs)
+    for (const auto& [output, gives] : stage.Outputs)
     {
       const int port = waft::PortOf({ stage.Stage, output });
       this->Scene[output] = { reader, static_cast<unsigned int>(port) };

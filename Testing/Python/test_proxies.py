@@ -34,6 +34,7 @@ OF_THE_CLASS_ALONE = {("vtkGridSmokeSource", "CacheLimit"), ("vtkMotionDatabaseS
                       ("vtkMotionResultsReader", "FileName"), ("vtkMotionAnimationSource", "Edits"),
                       ("vtkLeafShapeSource", "TextureFile"), ("vtkFeatherShapeSource", "TextureFile")}
 OF_ANY_STAGE = {"Active"}
+NO_CHAIN = {"stages": [], "motion": []}
 VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty")
 
 
@@ -275,7 +276,7 @@ class ProxyTest(unittest.TestCase):
                             {"name": "Size", "type": "whole", "default": [4.0, 8.0], "offered": [1, 64], "text": "Voxels."}]}
         stated = """<G><P class="vtkA"><Option name="CoreRadius" panel_visibility="advanced"/><Option name="Smooth"><Hints/></Option>
             <Option name="Size"><D name="x"/><XDomain name="own"/><Documentation>Mine.</Documentation></Option></P></G>"""
-        made = expand_options.expand(ElementTree.fromstring(stated), classes)[0]
+        made = expand_options.expand(ElementTree.fromstring(stated), classes, NO_CHAIN)[0]
         radius, smooth, size = made
         self.assertEqual((radius.tag, dict(radius.attrib)), ("DoubleVectorProperty", {
             "name": "CoreRadius", "command": "SetCoreRadius", "label": "Core Radius", "number_of_elements": "1", "default_values": "0.25",
@@ -286,7 +287,28 @@ class ProxyTest(unittest.TestCase):
         self.assertEqual([child.tag for child in size], ["XDomain", "Documentation", "D"])
         self.assertEqual((size.get("default_values"), size.find("Documentation").text), ("4 8", "Mine."))
         with self.assertRaisesRegex(KeyError, "vtkA: Core states no option Other"):
-            expand_options.expand(ElementTree.fromstring('<P class="vtkA"><Option name="Other"/></P>'), classes)
+            expand_options.expand(ElementTree.fromstring('<P class="vtkA"><Option name="Other"/></P>'), classes, NO_CHAIN)
+
+    def test_ports_are_made_from_what_core_says_of_them(self):
+        chain = {"stages": [{"proxy": "A", "takes": {"Tracks": ["vtkPolyData", True], "Shapes": ["vtkMultiBlockDataSet", False]},
+                             "outputs": ["One", "Two"]}], "motion": ["Whole"]}
+        stated = """<G><P name="A"><Input name="Shapes">Bodies.</Input><Input name="Tracks" command="SetPaths" port_index=""/><OutputPorts/></P>
+            <P name="B"><Input name="Wind" type="vtkImageData" optional="1"/><OutputPorts/></P></G>"""
+        stage, other = expand_options.expand(ElementTree.fromstring(stated), {}, chain)
+        shapes, tracks, *ports = stage
+        self.assertEqual({"name": "Shapes", "command": "SetInputConnection", "clean_command": "RemoveAllShapes", "port_index": "1"},
+                         shapes.attrib)
+        self.assertEqual(3, len(shapes.findall("DataTypeDomain/DataType")))
+        self.assertIsNotNone(shapes.find("Hints/Optional"))
+        self.assertEqual("Bodies.", shapes.find("Documentation").text)
+        self.assertEqual({"name": "Tracks", "command": "SetPaths"}, tracks.attrib)
+        self.assertIsNone(tracks.find("Hints"))
+        self.assertEqual([("One", "0"), ("Two", "1")], [(port.get("name"), port.get("index")) for port in ports])
+        self.assertEqual(["vtkImageData"], [one.get("value") for one in other[0].findall("DataTypeDomain/DataType")])
+        self.assertIsNotNone(other[0].find("Hints/Optional"))
+        self.assertEqual("Whole", other[1].get("name"))
+        with self.assertRaisesRegex(KeyError, "Air"):
+            expand_options.expand(ElementTree.fromstring('<P name="A"><Input name="Air"/></P>'), {}, chain)
 
     def test_a_panel_hides_what_has_no_effect(self):
         option = {"name": "Drag", "type": "real", "default": 1.0, "offered": [0, 9], "text": "How fast."}
@@ -295,7 +317,7 @@ class ProxyTest(unittest.TestCase):
             classes = {"vtkA": [{**option, "acts": {"input": "Air", "joined": joined}}]}
             for inside, kept in (("", ""), ("<Hints><Other /></Hints>", "<Other />")):
                 made = expand_options.expand(ElementTree.fromstring(
-                    f'<P class="vtkA"><Option name="Drag">{inside}</Option></P>'), classes)
+                    f'<P class="vtkA"><Option name="Drag">{inside}</Option></P>'), classes, NO_CHAIN)
                 self.assertEqual(f"<Hints>{kept}{decorator % ending}</Hints>",
                                  ElementTree.tostring(made.find("DoubleVectorProperty/Hints"), encoding="unicode"))
 

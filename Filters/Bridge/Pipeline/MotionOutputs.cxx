@@ -25,25 +25,6 @@
 namespace waft
 {
 
-const char* DataTypeOf(MotionPort port)
-{
-  switch (port)
-  {
-    case PlannedReportPort:
-    case AssimilatedReportPort:
-    case RoundsPort:
-    case ConvergencePort:
-    case OptimisedReportPort:
-    case TurnedReportPort:
-      return "vtkTable";
-    case AirPort:
-    case WindPort:
-      return "vtkImageData";
-    default:
-      return "vtkPolyData";
-  }
-}
-
 Result MotionOutputs::KeepMotion()
 {
   this->KeepPaths();

@@ -16,6 +16,7 @@
 namespace waft
 {
 
+/// By port, as MotionPorts has them.
 enum MotionPort
 {
   MeshesPort,
@@ -40,9 +41,6 @@ enum MotionPort
   FittedVorticesPort,
   NumberOfMotionPorts
 };
-
-/// "vtkPolyData", "vtkTable" or "vtkImageData".
-const char* DataTypeOf(MotionPort port);
 
 /// A stage whose outputs they are. Who derives runs the chain, into Made.
 class MotionOutputs : public KeptStage

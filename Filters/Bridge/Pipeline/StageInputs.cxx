@@ -199,6 +199,23 @@ bool TimelineOfSteps(vtkAlgorithm* stage, vtkInformationVector** inputs, Timelin
 
 } // namespace
 
+StageInputs InputsOf(ChainStage stage)
+{
+  StageInputs inputs;
+  for (const ChainInput& input : TraitsOf(stage).Inputs)
+  {
+    inputs.push_back({ input.Name, input.Takes, input.Connections });
+  }
+  return inputs;
+}
+
+int FillOutput(ChainStage stage, int port, vtkInformation* info)
+{
+  const ChainPort& given = TraitsOf(stage).Outputs[static_cast<std::size_t>(port)];
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), DataTypeOf(given.Gives));
+  return 1;
+}
+
 int FillInput(const StageInputs& ports, int port, vtkInformation* info)
 {
   const StageInput::Number number = ports[static_cast<std::size_t>(port)].Connections;

@@ -12,6 +12,7 @@
 #include "Base/Result.h"
 #include "Base/Types.h"
 #include "Bridge/Pipeline/PropertyCheck.h"
+#include "Chain/ChainTable.h"
 
 #include <functional>
 #include <set>
@@ -27,22 +28,8 @@ namespace waft
 
 struct StageInput
 {
-  enum class Type
-  {
-    Anything,
-    Surface,  // vtkPolyData: one, since blocks would be of several runs
-    Merged,   // vtkPolyData: blocks are appended
-    Surfaces, // vtkPolyData, or blocks of it, which are handed through as they come (SurfacesOf)
-    Image,    // vtkImageData: one
-    Blocks    // vtkMultiBlockDataSet
-  };
-  enum class Number
-  {
-    One,
-    Optional,
-    Any, // repeatable
-    AnyOrNone
-  };
+  using Type = PortData;
+  using Number = PortNumber;
 
   const char* Name; // that of the proxy's property
   Type Takes;
@@ -51,8 +38,13 @@ struct StageInput
 
 using StageInputs = std::vector<StageInput>;
 
+/// Of a stage of the chain, as its table has them.
+StageInputs InputsOf(ChainStage stage);
+
 /// What FillInputPortInformation is; returns 1.
 int FillInput(const StageInputs& ports, int port, vtkInformation* info);
+/// What FillOutputPortInformation is of a stage of the chain; returns 1.
+int FillOutput(ChainStage stage, int port, vtkInformation* info);
 
 /// GuardedRequest of a stage with inputs. `process` gets the input vectors, with the data as their
 /// ports take them where it asks for information or data; data that a port does not take fail.

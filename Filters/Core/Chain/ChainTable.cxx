@@ -32,13 +32,24 @@ std::vector<ChainStageTraits> MakeStages()
   constexpr ChainStage air = ChainStage::Assimilation;
   constexpr ChainStage optimiser = ChainStage::Spacetime;
   const std::vector<Quality> all(std::begin(Qualities), std::end(Qualities));
-  const ChainInput objects{ "Objects", { { { scene, "Objects" } } } };
-  const ChainInput obstacles{ "Obstacles", { { { scene, "Obstacles" } } } };
-  const ChainInput wind{ "Wind", { { { scene, "Wind" } } } };
-  const ChainInput shapes{ "Shapes", { { { scene, "Shapes" } } } };
-  const ChainInput airs{ "Air", { { { air, "Air" } } } };
-  const ChainInput rows{ "Constraints",
-                         { { { air, "Constraints" } }, { { planner, "Constraints" } } } };
+  constexpr PortData surface = PortData::Surface, merged = PortData::Merged;
+  constexpr PortData image = PortData::Image, blocks = PortData::Blocks, table = PortData::Table;
+  constexpr PortNumber one = PortNumber::One, optional = PortNumber::Optional;
+  const ChainInput objects{ "Objects", merged, one, { { { scene, "Objects" } } } };
+  const ChainInput obstacles{
+    "Obstacles", PortData::Surfaces, optional, { { { scene, "Obstacles" } } }
+  };
+  const ChainInput wind{ "Wind", image, optional, { { { scene, "Wind" } } } };
+  const auto shapes = [&](PortNumber number) {
+    return ChainInput{ "Shapes", blocks, number, { { { scene, "Shapes" } } } };
+  };
+  const ChainInput airs{ "Air", image, optional, { { { air, "Air" } } } };
+  const auto rows = [&](PortNumber number)
+  {
+    return ChainInput{
+      "Constraints", merged, number, { { { air, "Constraints" } }, { { planner, "Constraints" } } }
+    };
+  };
   return {
     { scene,
       "Scene",
@@ -47,7 +58,12 @@ std::vector<ChainStageTraits> MakeStages()
       1,
       all,
       {},
-      { "Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind" },
+      { { "Objects", merged },
+        { "Constraints", merged },
+        { "Obstacles", merged },
+        { "Shapes", blocks },
+        { "Vortices", merged },
+        { "Wind", image } },
       FieldsOf<SceneReadOptions>() },
     { planner,
       "Planner",
@@ -55,13 +71,19 @@ std::vector<ChainStageTraits> MakeStages()
       "Paths are planned from mark to mark out of the motion database",
       6,
       all,
-      { { "Database", {} },
+      { { "Database", blocks, optional, {} },
         objects,
-        { "Constraints", { { { scene, "Constraints" } } } },
+        { "Constraints", merged, one, { { { scene, "Constraints" } } } },
         obstacles,
-        { "Guides", {} } },
-      { "Tracks", "Trees", "Report", "Constraints", "Vortices", "Takes", "Flights",
-        "ObjectReport" },
+        { "Guides", merged, optional, {} } },
+      { { "Tracks", merged },
+        { "Trees", merged },
+        { "Report", table },
+        { "Constraints", merged },
+        { "Vortices", merged },
+        { "Takes", table },
+        { "Flights", table },
+        { "ObjectReport", table } },
       FieldsOf<PlanOptions, TakeOptions>() },
     { air,
       "Assimilation",
@@ -69,14 +91,19 @@ std::vector<ChainStageTraits> MakeStages()
       "One air is drawn in which all objects drift to their marks with the least control",
       45,
       { Quality::Preview, Quality::Air, Quality::Full },
-      { { "Tracks", { { { planner, "Tracks" } } } },
+      { { "Tracks", surface, one, { { { planner, "Tracks" } } } },
         objects,
-        { "Constraints", { { { planner, "Constraints" } } } },
+        { "Constraints", merged, one, { { { planner, "Constraints" } } } },
         obstacles,
         wind,
-        { "Vortices", { { { scene, "Vortices" } } } },
-        shapes },
-      { "Tracks", "Air", "Vortices", "Constraints", "Report", "Rounds" },
+        { "Vortices", merged, optional, { { { scene, "Vortices" } } } },
+        shapes(optional) },
+      { { "Tracks", merged },
+        { "Air", image },
+        { "Vortices", merged },
+        { "Constraints", merged },
+        { "Report", table },
+        { "Rounds", table } },
       FieldsOf<AssimilationOptions, TurningOptions>() },
     { optimiser,
       "Spacetime",
@@ -84,15 +111,22 @@ std::vector<ChainStageTraits> MakeStages()
       "All frames of gas and objects are solved at once, from the air or from the plan",
       45,
       { Quality::Full, Quality::Paper },
-      { { "Tracks", { { { air, "Tracks" } }, { { planner, "Tracks" } } } },
+      { { "Tracks", surface, one, { { { air, "Tracks" } }, { { planner, "Tracks" } } } },
         objects,
-        rows,
+        rows(one),
         obstacles,
         { "Vortices",
+          merged,
+          optional,
           { { { air, "Vortices" } }, { { scene, "Vortices" }, { planner, "Vortices" } } } },
         wind,
         airs },
-      { "Tracks", "Particles", "Vortices", "Wind", "Convergence", "Report" },
+      { { "Tracks", merged },
+        { "Particles", merged },
+        { "Vortices", merged },
+        { "Wind", image },
+        { "Convergence", table },
+        { "Report", table } },
       FieldsOf<SpacetimeOptions>() },
     { ChainStage::Rotation,
       "Rotation",
@@ -101,14 +135,16 @@ std::vector<ChainStageTraits> MakeStages()
       2,
       all,
       { { "Tracks",
+          surface,
+          one,
           { { { optimiser, "Tracks" } }, { { air, "Tracks" } }, { { planner, "Tracks" } } } },
         objects,
-        shapes,
+        shapes(one),
         obstacles,
         wind,
-        rows,
+        rows(optional),
         airs },
-      { "Meshes", "Poses", "Report" },
+      { { "Meshes", merged }, { "Poses", merged }, { "Report", table } },
       FieldsOf<RotationOptions>() },
     { ChainStage::VortexFit,
       "VortexFit",
@@ -116,8 +152,9 @@ std::vector<ChainStageTraits> MakeStages()
       "Vortices are fitted to how the air turns about the paths",
       1,
       { Quality::Full },
-      { { "Input", { { { optimiser, "Tracks" } } } }, { "Vortices", {} } },
-      { "Vortices", "Tracks" },
+      { { "Input", surface, one, { { { optimiser, "Tracks" } } } },
+        { "Vortices", merged, optional, {} } },
+      { { "Vortices", merged }, { "Tracks", merged } },
       FieldsOf<VortexFitOptions>() },
   };
 }
@@ -205,11 +242,59 @@ std::vector<ChainOutput> GiversOf(const ChainInput& input, Quality quality)
 
 int PortOf(const ChainOutput& output)
 {
-  const std::vector<const char*>& names = TraitsOf(output.Stage).Outputs;
-  const auto found =
-    std::find_if(names.begin(), names.end(),
-                 [&output](const char* name) { return std::strcmp(name, output.Name) == 0; });
-  return static_cast<int>(found - names.begin());
+  const std::vector<ChainPort>& ports = TraitsOf(output.Stage).Outputs;
+  const auto found = std::find_if(ports.begin(), ports.end(),
+                                  [&output](const ChainPort& port)
+                                  { return std::strcmp(port.Name, output.Name) == 0; });
+  return static_cast<int>(found - ports.begin());
+}
+
+const char* DataTypeOf(PortData data)
+{
+  switch (data)
+  {
+    case PortData::Anything:
+      return "vtkDataObject";
+    case PortData::Surface:
+    case PortData::Merged:
+    case PortData::Surfaces:
+      return "vtkPolyData";
+    case PortData::Image:
+      return "vtkImageData";
+    case PortData::Blocks:
+      return "vtkMultiBlockDataSet";
+    case PortData::Table:
+      return "vtkTable";
+  }
+  return "";
+}
+
+const std::vector<MotionPortTraits>& MotionPorts()
+{
+  using Stage = ChainStage;
+  static const std::vector<MotionPortTraits> ports = {
+    { "Meshes", { Stage::Rotation, "Meshes" } },
+    { "Poses", { Stage::Rotation, "Poses" } },
+    { "Obstacles", { Stage::Scene, "Obstacles" } },
+    { "Objects", { Stage::Scene, "Objects" } },
+    { "Marks", { Stage::Planner, "Constraints" } },
+    { "PlannedTracks", { Stage::Planner, "Tracks" } },
+    { "Trees", { Stage::Planner, "Trees" } },
+    { "PlannedReport", { Stage::Planner, "Report" } },
+    { "AssimilatedTracks", { Stage::Assimilation, "Tracks" } },
+    { "Air", { Stage::Assimilation, "Air" } },
+    { "Vortices", { Stage::Assimilation, "Vortices" } },
+    { "AssimilatedReport", { Stage::Assimilation, "Report" } },
+    { "Rounds", { Stage::Assimilation, "Rounds" } },
+    { "OptimisedTracks", { Stage::Spacetime, "Tracks" } },
+    { "Gas", { Stage::Spacetime, "Particles" } },
+    { "Wind", { Stage::Spacetime, "Wind" } },
+    { "Convergence", { Stage::Spacetime, "Convergence" } },
+    { "OptimisedReport", { Stage::Spacetime, "Report" } },
+    { "TurnedReport", { Stage::Rotation, "Report" } },
+    { "FittedVortices", { Stage::VortexFit, "Vortices" } },
+  };
+  return ports;
 }
 
 std::vector<std::pair<std::string, double>> SettingsOf(ChainStage stage, Quality quality)
@@ -248,12 +333,25 @@ std::string ChainTableAsJson()
       one["qualities"].push_back(ToString(quality));
     }
     one["inputs"] = InputsAsJson(stage);
-    one["outputs"] = stage.Outputs;
+    for (const ChainInput& input : stage.Inputs)
+    {
+      const bool isNeeded =
+        input.Connections == PortNumber::One || input.Connections == PortNumber::Any;
+      one["takes"][input.Name] = { DataTypeOf(input.Takes), isNeeded };
+    }
+    for (const ChainPort& port : stage.Outputs)
+    {
+      one["outputs"].push_back(port.Name);
+    }
     for (const OptionField& field : stage.Options)
     {
       one["options"].push_back(field.Name);
     }
     table["stages"].push_back(one);
+  }
+  for (const MotionPortTraits& port : MotionPorts())
+  {
+    table["motion"].push_back(port.Name);
   }
   for (const Quality quality : Qualities)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stages from a scene to bodies that fly: what each takes and from whom, what it gives, and
 // which qualities run it. Whoever joins stages (RunChain, the command, ParaView's sources, the
-// pages) takes the graph from this table.
+// pages) takes the graph from this table, and their ports are made from it.
 #pragma once
 
 #include "Base/OptionFields.h"
@@ -38,6 +38,32 @@ enum class ChainStage
   VortexFit // tells of the motion, and changes nothing of it
 };
 
+/// What a port takes or gives.
+enum class PortData
+{
+  Anything,
+  Surface,  // vtkPolyData: one, since blocks would be of several runs
+  Merged,   // vtkPolyData: blocks are appended
+  Surfaces, // vtkPolyData, or blocks of it, which are handed through as they come
+  Image,    // vtkImageData: one
+  Blocks,   // vtkMultiBlockDataSet
+  Table     // vtkTable
+};
+/// How many connections an input has.
+enum class PortNumber
+{
+  One,
+  Optional,
+  Any, // repeatable
+  AnyOrNone
+};
+
+struct ChainPort
+{
+  const char* Name;
+  PortData Gives;
+};
+
 /// An output of a stage.
 struct ChainOutput
 {
@@ -48,6 +74,8 @@ struct ChainOutput
 struct ChainInput
 {
   const char* Name;
+  PortData Takes;
+  PortNumber Connections;
   /// Who gives it, the preferred ones first: it takes all of the first list whose stages run.
   /// Empty: nobody, it is the user's own.
   std::vector<std::vector<ChainOutput>> Givers;
@@ -62,7 +90,7 @@ struct ChainStageTraits
   double Share;         // of the time of a run, roughly
   std::vector<Quality> RunsAt;
   std::vector<ChainInput> Inputs;
-  std::vector<const char*> Outputs; // by port
+  std::vector<ChainPort> Outputs; // by port
   std::vector<OptionField> Options;
 };
 
@@ -74,14 +102,25 @@ bool RunsAt(ChainStage stage, Quality quality);
 std::vector<ChainOutput> GiversOf(const ChainInput& input, Quality quality);
 /// The index of an output among its stage's.
 int PortOf(const ChainOutput& output);
+/// Class of VTK of what a port gives or takes.
+const char* DataTypeOf(PortData data);
+
+/// An output of the one source of a whole flight: some stage's.
+struct MotionPortTraits
+{
+  const char* Name;
+  ChainOutput Given;
+};
+/// By port.
+const std::vector<MotionPortTraits>& MotionPorts();
 
 /// Name and value of each option of a stage that is not at its default at a quality.
 std::vector<std::pair<std::string, double>> SettingsOf(ChainStage stage, Quality quality);
 
 /// The table as JSON: `stages`, each with `name`, `proxy`, `sentence`, `share`, `qualities`,
-/// `inputs` ({name: [[[stage, port]]]}, as ChainInput has it), `outputs`, `options`; `qualities`;
-/// `settings`
-/// ({quality: {stage: {option: value}}}, where they are not the defaults).
+/// `inputs` ({name: [[[stage, port]]]}, as ChainInput has it), `takes` ({name: [class of VTK,
+/// whether it is needed]}), `outputs`, `options`; `motion`: names of MotionPorts; `qualities`;
+/// `settings` ({quality: {stage: {option: value}}}, where they are not the defaults).
 std::string ChainTableAsJson();
 
 } // namespace waft

@@ -47,7 +47,13 @@ public:
   Result Run();
 
 private:
-  using Work = Result (Chain::*)(Monitor& monitor);
+  /// What a stage of the table is here.
+  struct StageWork
+  {
+    Result (Chain::*Run)(Monitor& monitor); // null: it was run before
+    void (*Clear)(Motion& motion);          // what it gives
+  };
+  static const StageWork& WorkOf(ChainStage stage);
 
   bool Wants(ChainStage stage) const
   {
@@ -56,7 +62,7 @@ private:
   Result CheckRoomAhead() const;
   void SetUp();
   /// Runs a stage when it is wanted, else clears what an earlier run left of it.
-  Result Do(ChainStage stage, Work work);
+  Result Do(ChainStage stage);
   /// Whether the output is there of just this problem and these options; else it is cleared, with
   /// those of the stages after it.
   template <class... Own>
@@ -171,36 +177,42 @@ bool Chain::IsKept(ChainStage stage, const MotionProblem& problem, const Own&...
   return false;
 }
 
+const Chain::StageWork& Chain::WorkOf(ChainStage stage)
+{
+  static const std::map<ChainStage, StageWork> works = {
+    { ChainStage::Scene, { nullptr, [](Motion&) {} } },
+    { ChainStage::Planner,
+      { &Chain::Plan,
+        [](Motion& motion)
+        {
+          motion.Plan = PlanOutput();
+          motion.Takes.clear();
+        } } },
+    { ChainStage::Assimilation,
+      { &Chain::Assimilate, [](Motion& motion) { motion.Air = AssimilationOutput(); } } },
+    { ChainStage::Spacetime,
+      { &Chain::Optimise, [](Motion& motion) { motion.Optimised = SpacetimeOutput(); } } },
+    { ChainStage::Rotation,
+      { &Chain::Turn,
+        [](Motion& motion)
+        {
+          motion.Turned = RotationOutput();
+          motion.Tracks.clear();
+          motion.Laid.clear();
+        } } },
+    { ChainStage::VortexFit, { &Chain::Fit, [](Motion& motion) { motion.Fit = AirVortexFit(); } } },
+  };
+  return works.at(stage);
+}
+
 void Chain::Clear(ChainStage stage)
 {
   this->Memory.Keys.erase(stage);
   this->Made.Warnings.erase(stage);
-  switch (stage)
-  {
-    case ChainStage::Scene:
-      break;
-    case ChainStage::Planner:
-      this->Made.Plan = PlanOutput();
-      this->Made.Takes.clear();
-      break;
-    case ChainStage::Assimilation:
-      this->Made.Air = AssimilationOutput();
-      break;
-    case ChainStage::Spacetime:
-      this->Made.Optimised = SpacetimeOutput();
-      break;
-    case ChainStage::Rotation:
-      this->Made.Turned = RotationOutput();
-      this->Made.Tracks.clear();
-      this->Made.Laid.clear();
-      break;
-    case ChainStage::VortexFit:
-      this->Made.Fit = AirVortexFit();
-      break;
-  }
+  WorkOf(stage).Clear(this->Made);
 }
 
-Result Chain::Do(ChainStage stage, Work work)
+Result Chain::Do(ChainStage stage)
 {
   const bool isLast = stage == ChainStage::Rotation; // that bodies take; quick, of the best so far
   if (!this->Wants(stage) || (this->Made.IsStopped && !isLast))
@@ -216,7 +228,7 @@ Result Chain::Do(ChainStage stage, Work work)
   Monitor& monitor = this->Made.IsStopped ? static_cast<Monitor&>(silent) : part;
   this->Key = 0;
   const auto before = this->Memory.Keys.count(stage) > 0 ? this->Memory.Keys[stage] : 0;
-  const Result result = (this->*work)(monitor);
+  const Result result = (this->*WorkOf(stage).Run)(monitor);
   if (!result)
   {
     this->Clear(stage);
@@ -362,11 +374,13 @@ Result Chain::Run()
   WAFT_RETURN_IF_FAILED(this->Options.Validate());
   WAFT_RETURN_IF_FAILED(this->CheckRoomAhead());
   this->SetUp();
-  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Planner, &Chain::Plan));
-  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Assimilation, &Chain::Assimilate));
-  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Spacetime, &Chain::Optimise));
-  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Rotation, &Chain::Turn));
-  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::VortexFit, &Chain::Fit));
+  for (const ChainStageTraits& stage : ChainStages())
+  {
+    if (WorkOf(stage.Stage).Run != nullptr)
+    {
+      WAFT_RETURN_IF_FAILED(this->Do(stage.Stage));
+    }
+  }
   this->Made.Report = JoinReports(this->Made.ReportOf(this->Made.MovedBy()), this->Made.Plan.Report,
                                   this->Made.Turned.Report, this->Made.RowsAtLast());
   return this->Made.IsStopped ? Result::Stopped() : Result::Ok();

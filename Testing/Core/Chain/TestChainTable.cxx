@@ -45,6 +45,38 @@ TEST(ChainTable, HasEachStageAtItsPlace)
   }
 }
 
+// What an input takes is what its givers give; one that is needed has one in each quality, but a
+// motion database, which comes with Waft.
+TEST(ChainTable, PortsFitOneAnother)
+{
+  for (const ChainStageTraits& stage : ChainStages())
+  {
+    for (const ChainInput& input : stage.Inputs)
+    {
+      for (const std::vector<ChainOutput>& givers : input.Givers)
+      {
+        for (const ChainOutput& giver : givers)
+        {
+          const PortData given =
+            TraitsOf(giver.Stage).Outputs[static_cast<std::size_t>(PortOf(giver))].Gives;
+          EXPECT_STREQ(DataTypeOf(given), DataTypeOf(input.Takes))
+            << stage.Name << " " << input.Name;
+        }
+      }
+      for (const Quality quality : stage.RunsAt)
+      {
+        EXPECT_TRUE(input.Connections != PortNumber::One || !GiversOf(input, quality).empty())
+          << stage.Name << " " << input.Name << " " << ToString(quality);
+      }
+    }
+  }
+  for (const MotionPortTraits& port : MotionPorts())
+  {
+    EXPECT_LT(PortOf(port.Given), static_cast<int>(TraitsOf(port.Given.Stage).Outputs.size()))
+      << port.Name;
+  }
+}
+
 TEST(ChainTable, TakesOnlyWhatEarlierStagesThatRunGive)
 {
   for (const Quality quality : Qualities)
