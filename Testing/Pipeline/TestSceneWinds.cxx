@@ -80,6 +80,36 @@ TEST(SceneWinds, WindFilesAndSeries)
   EXPECT_TRUE(errors.Contains("/winds/0/file: expected the only wind")) << errors.Text;
 }
 
+// Of a series without end what the scene lasts is read, and no more is looked for.
+TEST(SceneWinds, SeriesAreReadToTheEndOfTheScene)
+{
+  waft::test::TemporaryFolder folder;
+  WriteWind(folder.File("a.vti"), "Wind", 1.0);
+  WriteWind(folder.File("b.vti"), "Wind", 3.0);
+  const auto seriesOf = [&folder](double step)
+  {
+    std::string list = R"(<VTKFile type="Collection"><Collection>)";
+    for (int i = 0; i < 12000; ++i)
+    {
+      list += "<DataSet timestep=\"" + std::to_string(i * step) + "\" file=\"" +
+              (i == 0   ? "a.vti"
+               : i == 1 ? "b.vti"
+                        : "none.vti") +
+              "\"/>";
+    }
+    folder.Write("series.pvd", list + "</Collection></VTKFile>");
+    return folder.Write("a.waft.json", R"({"waft": 1, "time": {"frames": 31}, "winds": [{"file":
+      "series.pvd"}]})");
+  };
+  vtkNew<vtkMotionSceneReader> reader;
+  reader->SetFileName(seriesOf(1.0));
+  EXPECT_NEAR(ValueAt(WindAt(reader, 0.5), "Wind", 0), 2.0, 1e-6);
+  ErrorLog errors(reader);
+  reader->SetFileName(seriesOf(1e-5));
+  reader->Update();
+  EXPECT_TRUE(errors.Contains("at most 10000 files up to the end of the scene")) << errors.Text;
+}
+
 TEST(SceneWinds, TimesOfASeriesAreSorted)
 {
   waft::test::TemporaryFolder folder;

@@ -12,6 +12,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import sys
 import tempfile
 import threading
@@ -215,6 +216,28 @@ class RunTest(unittest.TestCase):
         for stage in (run.planner, run.assimilation):
             self.assertFalse(stage.GetClientSideObject().HasObserver("ErrorEvent"))
         run.delete()
+
+    def test_a_signal_stops_a_loop_of_runs_once_the_results_are_put_away(self):
+        def stopped_by(number, out):
+            signals = [number]  # one
+            return waft.synthesize(small_scene(), output=out, quality="preview", threads=1, _settings={"Assimilation": COARSE},
+                                   on_progress=lambda _, text: [os.kill(os.getpid(), signals.pop())
+                                                                for _ in signals[:text.startswith("assimilation")]] or True)
+        for number, raised in ((signal.SIGINT, KeyboardInterrupt), (signal.SIGTERM, SystemExit)):
+            out = self.folder / f"signal {int(number)}"
+            with self.assertRaises(raised) as caught:
+                stopped_by(number, out)
+            if raised is SystemExit:
+                self.assertEqual(143, caught.exception.code)
+            self.assertTrue(json.loads((out / "report.json").read_text(encoding="utf-8"))["stoppedEarly"])
+        got = []
+        before = signal.signal(signal.SIGINT, lambda number, _frame: got.append(number))
+        try:
+            run = stopped_by(signal.SIGINT, self.folder / "signal mine")
+            run.delete()
+        finally:
+            signal.signal(signal.SIGINT, before or signal.SIG_DFL)
+        self.assertEqual((4, [signal.SIGINT]), (run.status, got))
 
     def stopped_at(self, quality, text):
         """(the run, report.json, the folder) of one that is stopped when its progress first tells a text."""

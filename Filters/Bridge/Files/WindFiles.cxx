@@ -114,7 +114,31 @@ Result ReadVolumes(const WindFile& file, const SceneInfo& scene, FieldSeries& wi
            : ReadVectorVolumes(files, file.Array, scene.Time, InAxesOf(file, scene.Bounds), wind);
 }
 
-Result ReadImages(const WindFile& file, const std::string& extension, FieldSeries& wind)
+constexpr std::size_t MostSteps = 10000; // of a series that are read
+
+// Seconds by which a series is moved.
+double ShiftOf(const WindFile& file, const SceneInfo& scene, double first)
+{
+  return file.FirstFrame ? scene.Time.Time(*file.FirstFrame) - first : 0.0;
+}
+
+// Leaves out what comes after the first step past the scene's end.
+Result CutAtEnd(const WindFile& file, const SceneInfo& scene,
+                std::vector<std::pair<double, std::string>>& steps)
+{
+  const double end =
+    scene.Time.Time(scene.Time.NumberOfFrames - 1) - ShiftOf(file, scene, steps.front().first);
+  const auto past =
+    std::find_if(steps.begin(), steps.end(), [end](const auto& step) { return step.first >= end; });
+  steps.erase(past == steps.end() ? past : past + 1, steps.end());
+  return steps.size() <= MostSteps ? Result::Ok()
+                                   : Result::Error("expected at most " + std::to_string(MostSteps) +
+                                                   " files up to the end of the scene, found " +
+                                                   std::to_string(steps.size()));
+}
+
+Result ReadImages(const WindFile& file, const std::string& extension, const SceneInfo& scene,
+                  FieldSeries& wind)
 {
   std::vector<std::pair<double, std::string>> steps;
   if (extension == ".vti")
@@ -124,6 +148,7 @@ Result ReadImages(const WindFile& file, const std::string& extension, FieldSerie
   else
   {
     WAFT_RETURN_IF_FAILED(PvdSteps(file.Path, steps));
+    WAFT_RETURN_IF_FAILED(CutAtEnd(file, scene, steps));
   }
   FieldCollector collector(FieldRole::WindFile, file.Array);
   for (const auto& [time, image] : steps)
@@ -172,13 +197,12 @@ Result ReadWindFile(const WindFile& file, const SceneInfo& scene, FieldSeries& w
   }
   FieldSeries read;
   WAFT_RETURN_IF_FAILED(extension == ".vdb" ? ReadVolumes(file, scene, read)
-                                            : ReadImages(file, extension, read));
+                                            : ReadImages(file, extension, scene, read));
   if (file.IsYUp)
   {
     TurnYUp(read);
   }
-  const double shift =
-    file.FirstFrame ? scene.Time.Time(*file.FirstFrame) - read.Times.front() : 0.0;
+  const double shift = ShiftOf(file, scene, read.Times.front());
   for (double& time : read.Times)
   {
     time += shift;

@@ -66,12 +66,19 @@ def open_stream(path, what="a file"):
     return open(open_file(path, what), "rb")
 
 
+def _pieces(stream, most):
+    """Up to so many bytes, of which none are asked for before they are there: a read of all at once takes the memory at once."""
+    while most > 0 and (piece := stream.read(min(most, 1 << 20))):
+        most -= len(piece)
+        yield piece
+
+
 def content_of(descriptor, path, most=MOST):
     """All bytes behind a descriptor of open_file, which is closed."""
     with open(descriptor, "rb") as stream:
         size = os.fstat(descriptor).st_size
         try:
-            content = stream.read(most + 1) if size <= most else b""
+            content = b"".join(_pieces(stream, most + 1 if size <= most else 0))
         except OSError as error:
             raise BadInput(f"{path}: cannot be read: {error.strerror}") from error
     if max(size, len(content)) > most:  # one of /proc has the size 0

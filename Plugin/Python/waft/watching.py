@@ -20,11 +20,15 @@ _FIGURES = re.compile(r"[\d.,+-]+")
 _kept_stops = []  # stops that came while nobody was there to take them
 
 
+def _keep(number, _frame):
+    _kept_stops.append(number)
+
+
 def keep_stops():
     """For the command, whose signals come in blocked: a stop that comes before a Clock is there waits for it, one that
     comes after it finds nothing left to do but to write."""
     for number in STOPS:
-        signal.signal(number, lambda which, _: _kept_stops.append(which))
+        signal.signal(number, _keep)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)
 
 
@@ -178,6 +182,8 @@ class Clock:
         self._last = 0.0
         self.stage = ""  # that which is updated; those before it serve it
         self._told = ""  # its last sentence, without figures, which change all the time
+        self._stopped_by = None
+        self._earlier = {number: signal.getsignal(number) for number in STOPS}
         self._handling = _handling(self._stop)
 
     def __enter__(self):
@@ -193,8 +199,23 @@ class Clock:
         if not self._quiet:
             print("\r\033[K", end="", file=sys.stderr)
 
-    def _stop(self, *_):
+    def _stop(self, number, _frame):
         self.interrupted = True
+        self._stopped_by = number
+
+    def hand_on(self):
+        """What a stop would have done, had it not been taken to end the work early: a caller in a loop is to stop, too. Where he has a
+        handler of his own that is called, else KeyboardInterrupt is raised, or SystemExit. To be called once all is put away."""
+        if self._stopped_by is None:
+            return
+        earlier = self._earlier[self._stopped_by]
+        if earlier not in (None, signal.SIG_DFL, signal.default_int_handler):  # pvpython has some that Python does not know
+            if callable(earlier) and earlier is not _keep:
+                earlier(self._stopped_by, None)
+        elif self._stopped_by == signal.SIGINT:
+            raise KeyboardInterrupt
+        else:
+            raise SystemExit(128 + self._stopped_by)
 
     def keep(self):
         """From now on there is something to write when it is stopped."""
@@ -203,9 +224,10 @@ class Clock:
             report_to_guard("words", self.words)
 
     def check(self):
-        """Raises Interrupted when it is to stop and there is nothing to write."""
+        """Raises Interrupted when it is to stop and there is nothing to write, or what hand_on does."""
         self.check_progress()
         if self.words and self.should_stop():
+            self.hand_on()
             raise Interrupted(self.words)
 
     def remaining(self):

@@ -553,6 +553,8 @@ def _carry_out(options, act):
         return _give_up(options, error, failures.FAILED)
     except MemoryError:
         return _give_up(options, "too little memory", failures.FAILED)
+    except ImportError as error:  # of another version, or too little memory to load it
+        return _give_up(options, f"ParaView cannot be loaded: {error}", failures.FAILED)
 
 
 def _give_up(options, error, status):

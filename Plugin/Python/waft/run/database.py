@@ -135,4 +135,5 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
         stopped = watch.was_aborted and len(coverage) + 1 < simulations
         if not stopped:
             _forget(kept)
+    clock.hand_on()
     return Made(source, stopped, coverage)

@@ -41,6 +41,7 @@ def fly_by(flight: Flight, seed: int) -> None:
         raise
     flight.seed, flight.report, flight.warnings = seed, report, warnings
     flight.key = run_key(pipeline, seed, word_in_keys(flight.quality))
+    clock.hand_on()
 
 
 def _check(flight):

@@ -31,8 +31,9 @@ if TYPE_CHECKING:
 def synthesize(request: Request) -> "Result":
     """Plans, optimises and turns the objects of a scene; returns the Result, with live proxies and arrays.
 
-    It may be called from any thread, of one run at a time; only in the main one Ctrl-C and SIGTERM stop it. The stages' data are
-    read where they are made: in a session that is connected to a pvserver it is refused. The Result has, besides those:
+    It may be called from any thread, of one run at a time; only in the main one Ctrl-C and SIGTERM stop it: the best so far is written,
+    then KeyboardInterrupt (SystemExit) goes on, unless the caller has set handlers of his own, which are called instead. The
+    stages' data are read where they are made: in a session that is connected to a pvserver it is refused. The Result has, besides those:
     status (exit status of the command), report (the constraints, one dictionary per row), warnings. Raises BadInput on malformed
     input, and where results would take the place of files that no run wrote; nothing is written then.
     """
@@ -122,6 +123,7 @@ def _fly(request, scene_folder=None):
                 _forget_files(pipeline)
         clock.report(1.0, "stopped early" if stopped else "done")
         clock.check_progress()
+        clock.hand_on()
     return Result(flight, output)
 
 
