@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the corpora that the fuzzers start from, out of the cases of bad input: right files and damaged ones.
+"""Makes the corpora that the fuzzers start from, out of the cases of bad input, right files and damaged ones, and what fuzzers found.
 
-    pvpython make_corpus.py      writes Corpus/TARGET/NAME beside itself, the same bytes each time
+    pvpython make_corpus.py FOLDER TARGET...      writes FOLDER/TARGET/NAME, the same bytes each time
 """
 import json
 import pathlib
@@ -20,6 +20,7 @@ import cases_winds  # noqa: E402
 import good_files as good  # noqa: E402
 from case import LEAF, WIDE, places, with_value  # noqa: E402
 
+FOLDER = pathlib.Path(sys.argv[1])
 LARGEST = 4000  # bytes of an input
 # As the targets number them.
 PICTURES = (".png", ".jpg", ".tif", ".bmp")
@@ -29,7 +30,7 @@ WINDS = (".vti", ".pvd", ".vdb")
 
 def write(target, name, content):
     if len(content) <= LARGEST:
-        path = HERE / "Corpus" / target / re.sub(r"[^a-z0-9.]+", "-", name.lower()).strip("-")
+        path = FOLDER / target / re.sub(r"[^a-z0-9.]+", "-", name.lower()).strip("-")
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
 
@@ -38,26 +39,26 @@ def of_kind(kinds, suffix, content):
     return bytes([kinds.index(suffix)]) + content
 
 
-def main():
-    shutil.rmtree(HERE / "Corpus", ignore_errors=True)
+def scene_texts():
     write("SceneText", "leaf", json.dumps(LEAF).encode())
     write("SceneText", "wide", json.dumps(WIDE).encode())
     for number, (pointer, value) in enumerate(places(WIDE)):
         if number % 31 == 3:
             write("SceneText", f"null{pointer}", json.dumps(with_value(WIDE, pointer, None)).encode())
             write("SceneText", f"huge{pointer}", json.dumps(with_value(WIDE, pointer, 1e308)).encode())
-
     write("SceneText", "a region within an obstacle", json.dumps(with_value(WIDE, "/obstacles/1/radius", 5.2)).encode())
 
-    write("Pictures", "right.png", of_kind(PICTURES, ".png", good.png()))
-    write("Pictures", "right.jpg", of_kind(PICTURES, ".jpg", good.jpg()))
-    write("Pictures", "right.tif", of_kind(PICTURES, ".tif", good.tif()))
-    write("Pictures", "right.bmp", of_kind(PICTURES, ".bmp", good.bmp()))
+
+def pictures():
+    for make, suffix in ((good.png, ".png"), (good.jpg, ".jpg"), (good.tif, ".tif"), (good.bmp, ".bmp")):
+        write("Pictures", f"right{suffix}", of_kind(PICTURES, suffix, make()))
     for name, content in cases_targets.damaged_pngs():
         write("Pictures", f"{name}.png", of_kind(PICTURES, ".png", content))
     for name, content in cases_targets.damaged_others():
         write("Pictures", name, of_kind(PICTURES, "." + name.rpartition(".")[2], content))
 
+
+def meshes():
     for make, suffix in ((good.obj, ".obj"), (good.ply, ".ply"), (good.ply_binary, ".ply"), (good.stl, ".stl"),
                          (good.stl_words, ".stl"), (good.glb, ".glb"), (good.gltf, ".gltf"), (good.vtp, ".vtp")):
         write("Meshes", f"right-{make.__name__}{suffix}", of_kind(MESHES, suffix, make()))
@@ -67,19 +68,29 @@ def main():
         for name, suffix, content in family():
             write("Meshes", name + suffix, of_kind(MESHES, suffix, content))
 
+
+def winds():
     write("Winds", "right.vti", of_kind(WINDS, ".vti", good.vti()))
     for family, suffix in ((cases_winds.vtis, ".vti"), (cases_winds.pvds, ".pvd"), (cases_winds.vdbs, ".vdb")):
         for name, content in family():
             write("Winds", name + suffix, of_kind(WINDS, suffix, content))
 
-    # What these targets make of bytes is their own: any will do.
-    for target, sizes in (("PolyData", (0, 20, 100, 400, 1000)), ("StateFiles", (0, 8, 50, 300))):
-        for size in sizes:
-            for seed in range(4):
-                numbers = random.Random(100 * size + seed)
-                small = bytes(numbers.randrange(8 if seed % 2 else 256) for _ in range(size))
-                write(target, f"{size}-bytes-{seed}", small)
+
+def any_bytes(target, sizes):
+    """For targets that make of bytes what they like."""
+    for size in sizes:
+        for seed in range(4):
+            numbers = random.Random(100 * size + seed)
+            small = bytes(numbers.randrange(8 if seed % 2 else 256) for _ in range(size))
+            write(target, f"{size}-bytes-{seed}", small)
 
 
-if __name__ == "__main__":
-    main()
+MAKERS = {"SceneText": scene_texts, "Pictures": pictures, "Meshes": meshes, "Winds": winds,
+          "PolyData": lambda: any_bytes("PolyData", (0, 20, 100, 400, 1000)),
+          "StateFiles": lambda: any_bytes("StateFiles", (0, 8, 50, 300))}
+for name in sys.argv[2:]:
+    shutil.rmtree(FOLDER / name, ignore_errors=True)
+    MAKERS[name]()
+    found = HERE / "Found" / name
+    if found.is_dir():
+        shutil.copytree(found, FOLDER / name, dirs_exist_ok=True)
