@@ -19,7 +19,8 @@ from vtkmodules.vtkIOImage import vtkPNGWriter  # noqa: E402
 
 import sample_folder  # noqa: E402
 
-from waft import cli, measure  # noqa: E402
+import waft  # noqa: E402
+from waft import cli  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 from waft.files import write_pvd, write_xml  # noqa: E402
 from waft.measuring import _flights, _two_sample  # noqa: E402
@@ -39,6 +40,23 @@ COUNT = 24
 BOUNDS = (-2.0, 2.0, -2.0, 2.0, 0.0, 4.0)
 SLIP = 0.2
 SPIN = 0.8  # of the air about the volume's middle [rad/s]
+FEW = os.path.join(WORK, "few.npz")
+
+
+def setUpModule():
+    """Of the default drifters two airs of twelve bodies: most of what is measured is no matter of style."""
+    default = Drifters()
+    made = {"Bounds": default.bounds, "FramesPerSecond": default.rate, "NumberOfFrames": default.frames, "Seeds": default.seeds[:2],
+            "SettlingSpeeds": default.speeds}
+    for speed, airs in enumerate(default._paths):
+        for air in range(2):
+            made.update(_encoded(airs[air][:12], speed, air))
+    os.makedirs(WORK)
+    np.savez(FEW, **made)
+
+
+def measure(folders, **options):
+    return waft.measure(folders, **{"drifters": FEW, **options})
 
 
 def sinking(count, slip, frames):
