@@ -11,22 +11,15 @@ import sys
 import tempfile
 import unittest
 
+FRAMES = 20  # of small_plans.py
+COARSE = {"Resolution": 16, "LatticeResolution": 16, "Candidates": 1, "Starts": 1, "Rounds": 1}
+
 # All there is of the plans comes to process 0.
 PLANS = f"""
 import sys
 sys.path.insert(0, {str(pathlib.Path(__file__).resolve().parent)!r})
 from small_plans import make
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-"""
-
-FILES = PLANS + """
-for name, data in zip(("tracks", "objects", "rows"), make()):
-    writer = vtkXMLPolyDataWriter()
-    writer.SetDataModeToBinary()
-    writer.SetFileName(sys.argv[1] + "/" + name + ".vtp")
-    writer.SetInputData(data)
-    writer.Write()
 """
 
 # All processes run this script (--symmetric); the plans are given to the first alone.
@@ -93,11 +86,18 @@ with open(sys.argv[1] + ".%d" % rank, "w", encoding="utf-8") as stream:
 """
 
 # The first process runs this script, ParaView the pipeline on all of them.
-PROXIES = """
-import json, sys
+PROXIES = PLANS + """
+import json
 from paraview import simple
 from paraview.simple import OutputPort, UpdatePipeline
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 folder = sys.argv[2]
+for name, data in zip(("tracks", "objects", "rows"), make()):
+    writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()
+    writer.SetFileName(folder + "/" + name + ".vtp")
+    writer.SetInputData(data)
+    writer.Write()
 read = [simple.XMLPolyDataReader(FileName=[folder + "/" + name + ".vtp"]) for name in ("tracks", "objects", "rows")]
 stage = simple.SPHSpacetimeFilter(Tracks=read[0], Objects=read[1], Constraints=read[2], NumberOfGasParticles=216,
                                   LeashIterations=2, MaximumNumberOfIterations=6)
@@ -123,13 +123,13 @@ with open(sys.argv[1], "w", encoding="utf-8") as stream:
 
 
 # All processes run this script (--symmetric), as a user's.
-SYNTHESIS = """
+SYNTHESIS = f"COARSE = {COARSE}" + """
 import hashlib, json, os, sys
 import waft
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
 rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
-run = waft.synthesize(sys.argv[2], quality=sys.argv[3], _settings={"Spacetime": {
+run = waft.synthesize(sys.argv[2], quality="full", _settings={"Assimilation": COARSE, "Spacetime": {
     "NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6}})
 
 def digest(array):
@@ -148,7 +148,7 @@ with open(sys.argv[1] + ".%d" % rank, "w", encoding="utf-8") as stream:
 
 # The first process runs this script, ParaView the pipeline on all of them: nothing of a scene is there twice, also after
 # another time was looked at.
-SCENE = """
+SCENE = f"COARSE = {COARSE}" + """
 import json, sys
 from paraview import simple
 from paraview.simple import OutputPort
@@ -157,19 +157,19 @@ reader = simple.MotionSceneReader(FileName=sys.argv[2])
 objects, rows, obstacles, shapes, _, wind = (OutputPort(reader, port) for port in range(6))
 planner = simple.StylisticPlannerFilter(Objects=objects, Constraints=rows, Obstacles=obstacles)
 air = simple.AirAssimilationFilter(Tracks=OutputPort(planner, 0), Objects=objects, Constraints=OutputPort(planner, 3),
-                                   Obstacles=obstacles, Wind=wind, Resolution=16)
+                                   Obstacles=obstacles, Wind=wind, **COARSE)
 turned = simple.RotationRefineFilter(Tracks=OutputPort(air, 0), Objects=objects, Shapes=shapes, Obstacles=obstacles,
                                      Constraints=OutputPort(air, 3), Wind=wind)
 found = []
 for seed in (1, 2):
     planner.Seed = seed
-    turned.UpdatePipeline(0.5)
+    turned.UpdatePipeline(0.2)
     for stage in (reader, planner, air, turned):
         ports = range(stage.SMProxy.GetNumberOfOutputPorts())
         found.append([OutputPort(stage, port).GetDataInformation().GetNumberOfPoints() for port in ports])
     poses = turned.GetClientSideObject().GetOutputDataObject(1)
     found.append([poses.GetPoint(k) for k in range(poses.GetNumberOfPoints())])
-    reader.UpdatePipeline(0.7)
+    reader.UpdatePipeline(0.3)
 with open(sys.argv[1], "w", encoding="utf-8") as stream:
     json.dump(found, stream)
 """
@@ -202,7 +202,7 @@ class Ranks(unittest.TestCase):
                                 for rank in range(processes)]
             self.assertFalse((self.folder / "checkpoint").exists())
         one = found[1][0]
-        self.assertEqual([len(one["points"]), one["said"], one["report"], one["stopped"]], [3 * 40, [], 3, [True, 0]])
+        self.assertEqual([len(one["points"]), one["said"], one["report"], one["stopped"]], [3 * FRAMES, [], 3, [True, 0]])
         self.assertGreater(one["particles"], 216)
         self.assertLess(one["courses"][0][-1], 0.8 * one["courses"][0][0])
         self.assertEqual(one["alone"], one["courses"][0])
@@ -217,24 +217,23 @@ class Ranks(unittest.TestCase):
         """Two maples in a gust, one with a mark, as a file."""
         path = self.folder / "gust.waft.json"
         path.write_text(json.dumps({
-            "waft": 1, "seed": 5, "time": {"frames": 40}, "shapes": {"maple": {"builtin": "maple"}},
-            "objects": [{"shape": "maple", "count": 2, "region": {"min": [-0.5, -0.5, 2.5], "max": [0.5, 0.5, 3]}}],
-            "constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [0.2, 0.1, 2.5], "radius": 0.1}],
-            "winds": [{"direction": [1, 0.2, 0], "strength": 1.5, "center": [0, 0, 2.5], "radius": 1, "centerTime": 0.7,
-                       "duration": 0.5}]}), encoding="utf-8")
+            "waft": 1, "seed": 5, "time": {"frames": 13}, "shapes": {"maple": {"builtin": "maple"}},
+            "objects": [{"shape": "maple", "positions": [[0.2, 0.1, 2.6], [-0.2, 0.1, 2.6]]}],
+            "constraints": [{"kind": "position", "object": 0, "frame": 10, "value": [0.2, 0.1, 2.5], "radius": 0.1}],
+            "winds": [{"direction": [1, 0.2, 0], "strength": 1.5, "center": [0, 0, 2.5], "radius": 1, "centerTime": 0.2,
+                       "duration": 0.2}]}), encoding="utf-8")
         return path
 
     def test_synthesizes_the_same_on_each(self):
         scene = self.make_scene()
-        for quality, counts in (("preview", (1, 3)), ("full", (1, 2))):
-            found = []
-            for processes in counts:
-                out = self.folder / f"{quality}{processes}"
-                self.run_on(processes, SYNTHESIS, [out, scene, quality], ["--symmetric"])
-                found += [json.loads(pathlib.Path(f"{out}.{rank}").read_text(encoding="utf-8")) for rank in range(processes)]
-            self.assertEqual((found[0]["shape"], found[0]["marks"]), ([2, 40, 3], ["met"]))
-            for other in found[1:]:
-                self.assertEqual(other, found[0])
+        found = []
+        for processes in (1, 3):
+            out = self.folder / f"on{processes}"
+            self.run_on(processes, SYNTHESIS, [out, scene], ["--symmetric"])
+            found += [json.loads(pathlib.Path(f"{out}.{rank}").read_text(encoding="utf-8")) for rank in range(processes)]
+        self.assertEqual((found[0]["shape"], found[0]["marks"]), ([2, 13, 3], ["met"]))
+        for other in found[1:]:
+            self.assertEqual(other, found[0])
 
     def test_of_a_scene_nothing_is_there_twice(self):
         scene = self.make_scene()
@@ -243,11 +242,10 @@ class Ranks(unittest.TestCase):
             out = self.folder / f"seen{processes}"
             self.assertNotIn("ERR|", self.run_on(processes, SCENE, [out, scene]))
             found[processes] = json.loads(out.read_text(encoding="utf-8"))
-        self.assertEqual([len(found[1]), found[1][0][0], len(found[1][4])], [10, 2, 2 * 40])
+        self.assertEqual([len(found[1]), found[1][0][0], len(found[1][4])], [10, 2, 2 * 13])
         self.assertEqual(found[2], found[1])
 
     def test_in_a_pipeline_of_paraview(self):
-        self.run_on(1, FILES, [self.folder])
         found = {}
         for processes in (1, 2):
             out = self.folder / f"found{processes}"
@@ -255,7 +253,7 @@ class Ranks(unittest.TestCase):
             self.assertNotIn("ERR|", text)
             found[processes] = json.loads(out.read_text(encoding="utf-8"))
         self.assertEqual(found[1]["lines"], 3)
-        self.assertEqual(found[1]["all"][0], 3 * 40)
+        self.assertEqual(found[1]["all"][0], 3 * FRAMES)
         self.assertGreater(min(found[1]["all"]), 0)
         self.assertEqual(found[2], found[1])
 

@@ -21,14 +21,14 @@ from waft.synthesis import synthesize
 from waft.watching import NOTHING_COMPUTED, Clock, keep_stops
 from waft.writing import result_place
 
-SHORT = {"Spacetime": {"NumberOfGasParticles": 600, "LeashIterations": 5, "MaximumNumberOfIterations": 20}}
+SHORT = {"Spacetime": {"NumberOfGasParticles": 216, "LeashIterations": 5, "MaximumNumberOfIterations": 20}}
 SCENE = {
     "waft": 1,
     "seed": 5,
-    "time": {"frames": 61},
+    "time": {"frames": 41},
     "shapes": {"leaf": {"builtin": "leaf"}},
     "objects": [{"shape": "leaf", "positions": [[-0.6, -0.5, 2.6], [0.6, 0.4, 2.8]]}],
-    "constraints": [{"kind": "position", "object": 0, "frame": 60, "value": [-0.2, -0.2, 1.9]}],
+    "constraints": [{"kind": "position", "object": 0, "frame": 40, "value": [-0.3, -0.3, 2.1]}],
 }
 
 
