@@ -141,7 +141,7 @@ double NearestPair(const std::vector<Track>& tracks)
 TEST(SpacetimeMotion, NeverRaisesTheCostWithinAStageAndMeetsWhatItCanInRandomScenes)
 {
   int rows = 0, met = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  for (std::uint64_t seed = 1; seed <= 7; ++seed)
   {
     const RandomScene scene = MakeRandomScene(seed);
     const SpacetimeOutput output = Solve(scene.Input, scene.Options);
@@ -166,7 +166,7 @@ TEST(SpacetimeMotion, NeverRaisesTheCostWithinAStageAndMeetsWhatItCanInRandomSce
     }
   }
   std::printf("[ figure ] %d of %d rows met\n", met, rows);
-  EXPECT_GE(met, rows - 2); // a row may ask for what the pillar or another row forbids
+  EXPECT_GE(met, rows - 1); // a row may ask for what the pillar or another row forbids
 }
 
 TEST(SpacetimeMotion, HalvesTheSpikesOfSeams)

@@ -174,7 +174,7 @@ TEST(Windows, GoOnFromACheckpointToTheSameBits)
 
 TEST(Windows, TheBudgetIsWhatIsMeasured)
 {
-  const SpacetimeInput input = Scene(200, 5);
+  const SpacetimeInput input = Scene(120, 5);
   SpacetimeOptions options = QuickOptions();
   options.NumberOfGasParticles = 1000;
   options.UseLeash = false;
@@ -182,15 +182,15 @@ TEST(Windows, TheBudgetIsWhatIsMeasured)
   options.Tolerance = 0.0;
   options.MaximumNumberOfIterations = 24; // the histories are full
   const SpacetimeBudget budget = BudgetOf(input, options);
-  const double expected = 1e-6 * budget.Of(200);
+  const double expected = 1e-6 * budget.Of(120);
   const double measured = MeasurePeak(input, options);
   RecordProperty("expected", std::to_string(expected));
   RecordProperty("measured", std::to_string(measured));
   EXPECT_LT(measured, 1.05 * expected);
   EXPECT_GT(measured, 0.7 * expected);
 
-  options.MemoryLimit = 0.5 * expected;
-  options.MaximumNumberOfIterations = 8;
+  options.MemoryLimit = 0.7 * expected;
+  options.MaximumNumberOfIterations = 4;
   const double limited = MeasurePeak(input, options);
   RecordProperty("limited", std::to_string(limited));
   EXPECT_LT(limited, options.MemoryLimit);
