@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The source Waft Animation: its stages give what waft.synthesize gives, run as far as they are asked, and can be shown.
+"""The source Waft Animation: its colours, seeds, stages, states and errors. That its stages run as
+far as they are asked and give what waft.synthesize gives is for test_faces.py.
 
-    pvpython test_animation.py"""
+    pvpython run.py test_animation.py"""
 import contextlib
 import os
 import pathlib
-import sys
 import tempfile
-import time
 import unittest
 
 import numpy as np
@@ -90,52 +89,6 @@ class AnimationTest(unittest.TestCase):
             found[name] = about.GetNumberOfPoints() or about.DataInformation.GetNumberOfRows()
         return found
 
-    def check_same(self, ours, wanted):
-        """Two data sets: points and all arrays, bit by bit, but for clocks."""
-        for kind in ("GetPointData", "GetCellData", "GetRowData"):
-            if not hasattr(wanted, kind):
-                continue
-            theirs = getattr(wanted, kind)()
-            self.assertEqual(getattr(ours, kind)().GetNumberOfArrays(), theirs.GetNumberOfArrays())
-            for name in (theirs.GetArrayName(i) for i in range(theirs.GetNumberOfArrays())):
-                if name != "Seconds" and theirs.GetArray(name) is not None:
-                    np.testing.assert_array_equal(vtk_to_numpy(getattr(ours, kind)().GetArray(name)),
-                                                  vtk_to_numpy(theirs.GetArray(name)), name)
-        if hasattr(wanted, "GetPoints") and wanted.GetNumberOfPoints():
-            np.testing.assert_array_equal(places(ours), places(wanted))
-
-    def test_gives_what_synthesize_gives(self):
-        run = waft.synthesize(self.scene, quality="preview")
-        animation = self.make()
-        for port, stage, number in (("PlannedTracks", "planner", 0), ("Trees", "planner", 1), ("PlannedReport", "planner", 2),
-                                    ("Marks", "planner", 3), ("AssimilatedTracks", "assimilation", 0), ("Air", "assimilation", 1),
-                                    ("Vortices", "assimilation", 2), ("AssimilatedReport", "assimilation", 4),
-                                    ("Rounds", "assimilation", 5), ("Meshes", "rotation", 0), ("Poses", "rotation", 1)):
-            with self.subTest(port=port):
-                wanted = run.output(stage, number)
-                self.assertGreater(wanted.GetNumberOfElements(0) + wanted.GetNumberOfElements(6), 0)
-                self.check_same(output(animation, port), wanted)
-        run.delete()
-
-    def test_each_quality_runs_its_stages(self):
-        drifts = ("AssimilatedTracks", "Air", "AssimilatedReport")
-        optimises = ("OptimisedTracks", "Gas", "Convergence")
-        for quality, filled, empty in (("Preview", drifts, optimises), ("Full", drifts + optimises + ("FittedVortices",), ()),
-                                       ("Paper", optimises, drifts)):
-            with self.subTest(quality=quality):
-                animation = self.make(Quality=quality)
-                ports = self.ports(animation)
-                self.assertTrue(all(ports[name] > 0 for name in filled + ("Meshes", "Poses", "PlannedTracks", "Marks")), ports)
-                self.assertTrue(all(ports[name] == 0 for name in empty), ports)
-                if quality == "Full":
-                    with self.unfolded(animation) as stages:
-                        self.assertEqual(set(stages), {"Scene", "Planner", "Assimilation", "Spacetime", "Rotation", "VortexFit"})
-                        stages["Rotation"].UpdatePipeline()
-                        self.check_same(output(animation, "Poses"), output(stages["Rotation"], 1))
-                        self.check_same(output(animation, "OptimisedTracks"), output(stages["Spacetime"]))
-                        stages["VortexFit"].UpdatePipeline()
-                        self.check_same(output(animation, "FittedVortices"), output(stages["VortexFit"]))
-
     def test_bodies_have_the_colours_of_their_shapes(self):
         scene = waft.Scene(seed=5)
         scene.set_time(10)
@@ -156,20 +109,6 @@ class AnimationTest(unittest.TestCase):
         self.assertGreater(len(np.unique(painted, axis=0)), 5, "the texture's, at each point")
         self.assertGreater(painted[:, 0].mean(), 2 * painted[:, 2].mean(), "red")
         np.testing.assert_allclose(tinted, painted * np.array([0.5, 1, 1]), atol=1)
-
-    def test_stops_where_it_is_asked_to(self):
-        firsts = {"Scene": "Objects", "Plan": "PlannedTracks", "Assimilation": "AssimilatedTracks",
-                  "Optimisation": "OptimisedTracks", "Rotation": "Meshes", "Vortex Fit": "FittedVortices"}
-        animation = self.make(Quality="Full", StopAfter="Scene")
-        seconds = []
-        for done, stop in enumerate(firsts, 1):
-            animation.StopAfter = stop
-            began = time.process_time()
-            animation.UpdatePipeline()
-            seconds.append(time.process_time() - began)
-            ports = self.ports(animation)
-            self.assertEqual([ports[name] > 0 for name in firsts.values()], [k < done for k in range(len(firsts))], (stop, ports))
-        self.assertLess(seconds[-1], 0.5 * sum(seconds), "what is there is not made again")
 
     def test_a_seed_is_another_motion_and_minus_one_the_scenes(self):
         animation = self.make(StopAfter="Plan")
@@ -304,8 +243,3 @@ class AnimationTest(unittest.TestCase):
         self.assertEqual([again.Seed, again.StopAfter, again.FileName], [9, "Plan", self.scene])
         self.assertEqual(len([text for text in said if "of what was set on a stage the state holds nothing" in text]), 1, said)
         self.assertEqual(len(simple.GetSources()), 1, "stages that were shown come back by themselves")
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    sys.exit(0 if done.result.wasSuccessful() else 1)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene by assimilation alone: its files, its rows, and that its air carries it.
 
-    pvpython test_assimilated.py PVPYTHON        what is killed is a process of its own
+    pvpython run.py test_assimilated.py PVPYTHON        what is killed is a process of its own
 """
 import csv
 import json
@@ -27,7 +27,8 @@ from waft.measuring import measure
 from waft.reading import read_surface
 from waft.results.exporting import export
 
-COARSE = {"Assimilation": {"Resolution": 32, "LatticeResolution": 32}}
+COARSE = {"Assimilation": {"Resolution": 16, "LatticeResolution": 16}}
+PVPYTHON = sys.argv[1]
 SCENE = {
     "waft": 1,
     "seed": 3,
@@ -227,8 +228,3 @@ class Assimilated(unittest.TestCase):
                 waft.synthesize(str(self.scene), quality=word, particles=True)
         with self.assertRaisesRegex(BadInput, "quality: expected one of preview, air, full, paper, found best"):
             waft.synthesize(str(self.scene), quality="best")
-
-
-if __name__ == "__main__":
-    PVPYTHON = sys.argv[1]
-    unittest.main(argv=sys.argv[:1])

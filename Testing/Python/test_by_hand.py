@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene made in ParaView without JSON: planned, kept by the writer and by Save Data, read back, planned again.
 
-    pvpython test_by_hand.py"""
+    pvpython run.py test_by_hand.py"""
 
 import json
 import os
-import sys
 import tempfile
 import unittest
 
@@ -134,8 +133,3 @@ class ByHandTest(unittest.TestCase):
         UpdatePipeline(proxy=scene)
         simple.SaveData(self.file("saved.waft.json"), proxy=scene)
         self.check_copy(self.file("saved.waft.json"))
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    sys.exit(0 if done.result.wasSuccessful() else 1)

@@ -131,7 +131,7 @@ def check_wind():
         json.dump({"waft": 1, "time": {"frames": 31}, "winds": [{"file": "whirl.vti"}],
                    "shapes": {"disc": {"builtin": "disc"}},
                    "objects": [{"shape": "disc", "position": [0.0, 0.0, 2.5]}]}, stream)
-    run = waft.synthesize(scene, preview=True)
+    run = waft.synthesize(scene, preview=True, _settings={"Assimilation": {"Resolution": 16, "LatticeResolution": 12}})
     run.assimilation.Glide = 0.0  # else paths bring the poses that they were found with
 
     ports = {name: simple.OutputPort(run.reader, place) for place, name in ((0, "Objects"), (2, "Obstacles"), (3, "Shapes"))}

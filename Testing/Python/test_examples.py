@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The scenes of Data/Scenes/examples: made again to the same bytes, nothing in them that cannot be met, a page for each.
 
-    pvpython test_examples.py SOURCE"""
+    pvpython run.py test_examples.py SOURCE"""
 
 import contextlib
 import io
@@ -45,7 +45,3 @@ class ExamplesTest(unittest.TestCase):
                 self.assertIn("0 of them cannot be met", said.getvalue())
                 name = scene.name.split(".")[0]
                 self.assertIn(f"{name}.waft.json", (SOURCE / "Documentation" / "examples" / f"{name}.md").read_text())
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`waft render` with a shutter, a lens and contact sheets, on a small fixed folder.
 
-    pvbatch test_exposure.py WORK_FOLDER"""
+    pvbatch run.py test_exposure.py WORK_FOLDER"""
 
 import os
 import shutil
@@ -150,7 +150,3 @@ class SheetTest(unittest.TestCase):
         place = folder("many")
         render(place, frames="0:60", size=(80, 48), views="top", samples=1, sheet=True)
         self.assertEqual(picture.read(os.path.join(place, "top_sheet.png")).shape[:2], (4 * 52 - 4, 5 * 84 - 4))
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])

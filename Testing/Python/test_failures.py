@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A stage that fails says so once, is done, and all after it is silent: each filter with each of its inputs, and Waft Animation.
 
-    pvpython test_failures.py XML_FOLDER"""
+    pvpython run.py test_failures.py XML_FOLDER"""
 import pathlib
 import sys
 import tempfile
@@ -16,7 +16,7 @@ from test_animation import make_scene
 from waft.updating import failure_of
 from waft.watching import collect
 
-XML = pathlib.Path(sys.argv.pop(1))
+XML = pathlib.Path(sys.argv[1])
 MISSING = "FileName: expected a scene file, found no name"
 
 
@@ -171,8 +171,3 @@ class FailuresTest(unittest.TestCase):
         for wrong in (None, "animation", 3):
             with self.assertRaisesRegex(waft.BadInput, "source: expected a proxy"):
                 waft.update(wrong)
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    sys.exit(0 if done.result.wasSuccessful() else 1)

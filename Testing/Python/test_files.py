@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the files of a run keep of its data, and what they leave out to be small.
 
-    pvpython test_files.py
+    pvpython run.py test_files.py
 """
 import pathlib
 import tempfile
@@ -148,7 +148,3 @@ class Portable(unittest.TestCase):
         self.assertGreater(len(shipped), 6)
         for path in shipped:
             self.assertNotIn(b"<AppendedData", path.read_bytes(), path)
-
-
-if __name__ == "__main__":
-    unittest.main()

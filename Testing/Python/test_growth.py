@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Thirty runs in one process take no more memory than twenty: what a run leaves behind would add up in a long session.
+"""The last runs of many in one process take no more memory than those before: what a run leaves behind would add up in a long session.
 
-    pvpython test_growth.py
+    pvpython test_growth.py [RUNS]        12 of them, or 30; the last third is held against the others
 """
 import gc
 import json
@@ -19,7 +19,8 @@ SCENE = {
     "objects": [{"shape": "leaf", "position": [0.0, 0.0, 2.0]}],
     "constraints": [{"kind": "position", "object": 0, "frame": 10, "value": [0.0, 0.0, 1.8], "radius": 0.1}],
 }
-RUNS = 30
+RUNS = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 12
+LAST = RUNS // 3
 COARSE = {"Assimilation": {"Resolution": 16, "LatticeResolution": 8, "Candidates": 1, "Starts": 0}}
 MOST_GROWTH = 0.02
 
@@ -31,15 +32,15 @@ def resident():
 
 
 def growth(act):
-    """By which fraction the process was larger in the last ten times than ever before, act(number) each: what is kept of a
+    """By which fraction the process was larger in the last times than ever before, act(number) each: what is kept of a
     run adds up, while the C library now and then holds some megabytes more or less."""
     sizes = []
     for number in range(RUNS):
         act(number)
         gc.collect()
         sizes.append(resident())
-    before = max(sizes[:-10])
-    return (max(sizes[-10:]) - before) / before, sizes
+    before = max(sizes[:-LAST])
+    return (max(sizes[-LAST:]) - before) / before, sizes
 
 
 class Growth(unittest.TestCase):

@@ -2,7 +2,7 @@
 """waft.load: a flight back from its folder, and what is said of folders that are old, damaged, a stranger's or moved; the flight as tables
 of pandas and PyVista; what help(waft) shows.
 
-    pvpython test_load.py         without a display: pictures are drawn on a virtual one
+    pvpython run.py test_load.py         without a display: pictures are drawn on a virtual one
 """
 import atexit
 import csv
@@ -27,7 +27,11 @@ import waft
 from paraview import simple
 from waft.results import manifest_of
 
-COARSE = {"Assimilation": {"Resolution": 16}}
+COARSE = {"Assimilation": {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 1}}
+
+
+def setUpModule():
+    os.environ.pop("DISPLAY", None)
 
 
 def scene(folder):
@@ -298,8 +302,3 @@ class HelpTest(unittest.TestCase):
         for kind in (waft.run.Run, waft.run.Result):
             self.assertEqual(set(), set(re.findall(r"(?<![\w.])_[a-zA-Z]\w*", pydoc.plain(pydoc.render_doc(kind)))))
         self.assertNotIn("_about", dir(waft.load(flown()[0] / "out")))
-
-
-if __name__ == "__main__":
-    os.environ.pop("DISPLAY", None)
-    unittest.main(argv=sys.argv[:1])

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A flight that waft.load gave in ParaView's views, and in its states, which show it again without flying.
 
-    pvbatch test_load_shown.py         on a screen
+    pvbatch run.py test_load_shown.py         on a screen
 """
-import sys
-import unittest
-
 import numpy as np
 import test_load
 import waft
@@ -41,7 +38,3 @@ class ShownTest(test_load.Base):
 
     def stages(self):
         return [self.flown.reader, self.flown.planner, self.flown.assimilation, self.flown.rotation]
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])

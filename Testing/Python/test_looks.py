@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The hero view, the styles and the looping animation of `waft render`, on a small fixed folder.
 
-    pvbatch test_looks.py WORK_FOLDER"""
+    pvbatch run.py test_looks.py WORK_FOLDER"""
 
 import contextlib
 import dataclasses
@@ -309,10 +309,3 @@ class CommandTest(unittest.TestCase):
                     self.parsed(option, value)
                 self.assertEqual(stopped.exception.code, 2)
                 self.assertIn(wanted, said.getvalue())
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    # pvbatch keeps its own exit status unless told.
-    sys.stdout.flush()
-    os._exit(0 if done.result.wasSuccessful() else 1)

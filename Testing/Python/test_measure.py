@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`waft measure`: its definitions on tracks whose figures are known, the command on a small folder, bad input.
 
-    pvpython test_measure.py WORK_FOLDER"""
+    pvpython run.py test_measure.py WORK_FOLDER"""
 import contextlib
 import io
 import json
@@ -771,9 +771,3 @@ class FolderTest(unittest.TestCase):
         run = read_run(self.folder)
         self.assertTrue(np.array_equal(run.flights.positions, self.path))
         self.assertEqual(run.width, 4.0)
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    sys.stdout.flush()
-    os._exit(0 if done.result.wasSuccessful() else 1)

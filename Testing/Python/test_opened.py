@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What File > Open makes of Waft's files, and how a finished flight looks: skins, rings, ground, by numbers on pictures.
 
-    pvbatch test_opened.py OUTPUT_FOLDER"""
+    pvbatch run.py test_opened.py OUTPUT_FOLDER"""
 import json
-import os
 import pathlib
 import shutil
 import sys
@@ -348,9 +347,3 @@ class PictureTest(unittest.TestCase):
         view.Background = [1, 1, 1]
         waft.show(self.reader, view)
         self.assertEqual((list(view.Background), str(view.BackgroundColorMode).strip("'")), ([1, 1, 1], "Single Color"))
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    sys.stdout.flush()
-    os._exit(0 if done.result.wasSuccessful() else 1)

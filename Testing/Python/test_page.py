@@ -50,7 +50,8 @@ def setUpModule():
         shape["texture"] = str(SCENES / shape["texture"])
     scene["title"] = "Leaves </script> & a <ball>"
     write_json(WORK / "word.waft.json", scene)
-    synthesize(WORK / "word.waft.json", output=FLOWN, preview=True)
+    synthesize(WORK / "word.waft.json", output=FLOWN, preview=True,
+               _settings={"Assimilation": {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 1}})
     boxes = [_boxes((-5, 5, -5, 5, -0.5, 0), (x, x + 0.3, 1.4, 1.7, 0, 0.3)) for x in (0.0, 1.0)]
     for step, surface in enumerate(boxes):
         write_xml(surface, FLOWN / f"box_{step}.vtp")
@@ -496,8 +497,8 @@ class BrowserTest(unittest.TestCase):
             write_page(place)
             self.assertFalse((place / "page.watch.js").exists())
         finally:
-            self.browser.requests.clear()
             self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+            self.browser.requests.clear()  # also those that the page of before had still made
 
     def test_marks_show_their_status(self):
         place = folder("statuses")
@@ -515,8 +516,8 @@ class BrowserTest(unittest.TestCase):
             reach = round(self.browser.run("waft.project([0.1, 0, 0])[0] - waft.project([0, 0, 0])[0]")) + 2
             pixels = self.pixels("statuses")
         finally:
-            self.browser.requests.clear()
             self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+            self.browser.requests.clear()
 
         def shown(pixels):
             red, green, blue = (pixels[..., color] for color in range(3))
@@ -537,8 +538,8 @@ class BrowserTest(unittest.TestCase):
                 marks = self.browser.run("waft.run.marks.map(({ places: [[, x, y, z]] }) => waft.project([x, y, z]))")
                 seen.append((np.array(marks), self.pixels(place.name)))
         finally:
-            self.browser.requests.clear()
             self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+            self.browser.requests.clear()
         (marks, pixels), (wanted, others) = seen
         self.assertLess(np.abs(marks - wanted).max(), 0.02)
         self.assertLess((np.abs(pixels - others).max(axis=2) > 8).mean(), 1e-3)

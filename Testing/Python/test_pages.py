@@ -49,7 +49,7 @@ BUILDS = "installs, builds or packs: CI and Install do it"
 NIGHTLY = "takes minutes, and tools that a build does without"
 PROJECT = "Install.Core builds it and compares it with the page"
 PROJECT_OF_VTK = "a project, which Install builds and runs; it compares the texts"
-EXCERPT = "an excerpt, simplified, of Data/Scenes/examples/make_examples.py, which Python.Examples runs: its calls are bound"
+EXCERPT = "an excerpt, simplified, of Data/Scenes/examples/make_examples.py, which test_examples.py runs: its calls are bound"
 BY_HAND = "Python.SixStages runs it on a coarse grid, and compares what a page quotes of it"
 LEFT = {
     ("README.md", "pvpython Documentation/examples/six_stages.py"): BY_HAND,
@@ -78,7 +78,7 @@ LEFT = {
     ("Measure.md", "python3 Testing/Python/motion_checks.py"): "its usage; Python.MotionChecks runs it",
     ("Obstacles.md", "z = surface height"): FORMULA,
     ("Paper.md", "pvpython Documentation/scripts/paper_table.py"): "Python.SixStages runs it on a small result",
-    ("Paper.md", "pvpython Documentation/scripts/paper_switches.py"): "Python.SixStages flies each switch of it on a small scene",
+    ("Paper.md", "pvpython Documentation/scripts/paper_switches.py"): "Python.SixStages flies each switch of it on a small scene, by night",
     ("Performance.md", "python3 Testing/Python/test_scale.py"): "flies eleven scenes; Python.Scale does so at night",
     ("Performance.md", "Testing/Benchmarks/all"): "benchmarks, for an hour",
     ("Performance.md", "Testing/Benchmarks/growth"): "flights of all sizes, for hours",

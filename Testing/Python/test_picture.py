@@ -84,7 +84,3 @@ class PictureTest(unittest.TestCase):
             write(self.plain[:25], kept)
             os.remove(other)
             self.assertFalse(baseline.agree(drawn, kept), "another size")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,7 +2,7 @@
 """How bodies go through the air is what their poses, the air and numbers of their own say by the law of the page, and no free
 vector: Slip of a small scene is found anew (plate_slip.py).
 
-    pvpython test_plate_slip.py
+    pvpython run.py test_plate_slip.py
 """
 import json
 import pathlib
@@ -97,7 +97,3 @@ class PlateSlip(unittest.TestCase):
             self.assertTrue(2.9 * 0.85 <= self.cell["Lift"][number] <= 2.9 * 1.15)
         self.assertEqual({0.5}, {round(value, 6) for value in self.cell["Follow"].values()})
         self.assertTrue(all(0.0 < value <= 1.0 for value in self.cell["Pace"].values()))
-
-
-if __name__ == "__main__":
-    unittest.main(verbosity=2)

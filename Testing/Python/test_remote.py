@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a client of a server sees: the picture of a session without one, pixel by pixel.
 
-    pvpython test_remote.py PVSERVER SCENES         on a screen"""
+    pvpython test_remote.py PVSERVER         on a screen"""
 import pathlib
 import sys
 import tempfile
@@ -13,14 +13,14 @@ from paraview import simple
 from picture import read
 from serving import server
 
-PVSERVER, SCENES = sys.argv[1:3]
+PVSERVER = sys.argv[1]
 SIZE = 600, 400
-TIME = 4.0  # s
+TIME = 0.5  # s
 
 
-def picture_of(name, folder):
+def picture_of(scene, folder):
     """The first picture of an animation in this session, at a time between two marks; [row, column, red green blue]."""
-    animation = simple.WaftAnimation(FileName=f"{SCENES}/{name}.waft.json", Quality="Preview")
+    animation = simple.WaftAnimation(FileName=str(scene), Quality="Preview")
     view = simple.CreateRenderView(ViewSize=SIZE)
     waft.show(animation, view)
     simple.GetAnimationScene().AnimationTime = TIME
@@ -36,10 +36,15 @@ class RemoteTest(unittest.TestCase):
     def test_first_pictures_are_those_of_a_session_without_a_server(self):
         with tempfile.TemporaryDirectory() as name, server(PVSERVER) as port:
             folder = pathlib.Path(name)
-            here = picture_of("feather-waypoints", folder)
+            flown = waft.Scene(seed=7)
+            flown.set_time(31)
+            flown.add_object("feather", (0, 0, 2.5))
+            flown.add_position(0, 25, (0.1, 0.1, 2.1))
+            flown.save(folder / "scene.waft.json")
+            here = picture_of(folder / "scene.waft.json", folder)
             simple.Connect("localhost", port)
             try:
-                there = picture_of("feather-waypoints", folder)
+                there = picture_of(folder / "scene.waft.json", folder)
             finally:
                 simple.Disconnect()
                 simple.Connect()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """waft.synthesize of a waft.Scene, in a thread beside the main one: its progress, its arrays, its pictures, its page in a notebook.
 
-    pvpython test_run.py         without a display: pictures are drawn on a virtual one
+    pvpython run.py test_run.py         without a display: pictures are drawn on a virtual one
 """
 import base64
 import csv
@@ -13,7 +13,6 @@ import pathlib
 import re
 import shutil
 import signal
-import sys
 import tempfile
 import threading
 import unittest
@@ -316,7 +315,3 @@ class MemoryTest(unittest.TestCase):
                 pipeline.update("planner")
             self.assertIs(kind, type(raised.exception))
             self.assertEqual((message, status), (str(raised.exception), raised.exception.status))
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])

@@ -2,14 +2,12 @@
 """Save Data of each port of a Waft Animation, and Export Scene of what it shows: ParaView's own writers say nothing, and what they write
 has all that the port has.
 
-    pvbatch test_saved_ports.py         on a screen
+    pvbatch run.py test_saved_ports.py         on a screen
 """
 import csv
 import hashlib
 import json
-import os
 import pathlib
-import sys
 import tempfile
 import unittest
 
@@ -152,9 +150,3 @@ class SavedPortsTest(unittest.TestCase):
         self.assertGreaterEqual(sum(vertices), bodies + obstacles, vertices)
         colors = [material["pbrMetallicRoughness"]["baseColorFactor"] for material in exported["materials"]]
         self.assertTrue(any(red > 2 * max(green, blue) for red, green, blue, _ in colors), f"the scene's own: {colors}")
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False)
-    sys.stdout.flush()
-    os._exit(0 if done.result.wasSuccessful() else 1)

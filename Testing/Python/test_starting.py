@@ -83,7 +83,7 @@ class StartingTest(unittest.TestCase):
         self.assertEqual({"a.zip", "b.zip"}, {path.name for path in self.folder.iterdir()})
 
     def test_a_new_scene_is_commented_and_flies(self):
-        done = self.waft_itself("new", "a.waft.json", "--text", "I", "--shape", "petal", "--count", 6)
+        done = self.waft_itself("new", "a.waft.json", "--text", "I", "--shape", "petal", "--count", 2)
         self.assertEqual(0, done.returncode, done.stderr)
         text = (self.folder / "a.waft.json").read_text(encoding="utf-8")
         self.assertGreater(text.count('"_"'), 4)
@@ -222,7 +222,8 @@ class StartingTest(unittest.TestCase):
         self.assertEqual(2, self.waft("check", "scene.waft.json", "--database", "none.vtm").returncode)
 
     def test_watch_flies_again_when_the_scene_is_saved(self):
-        self.write(objects=LEAVES["objects"] + [{"shape": "leaf", "position": [0, 0, 2]}])
+        short = {"time": {"frames": 13}}
+        self.write(objects=LEAVES["objects"] + [{"shape": "leaf", "position": [0, 0, 2]}], **short)
         process = subprocess.Popen([WAFT, "synthesize", "scene.waft.json", "--output", "out", "--watch"], cwd=self.folder,
                                    stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.kill)
@@ -242,10 +243,10 @@ class StartingTest(unittest.TestCase):
         wait()
         self.assertTrue(any("/time/frames" in line for line in said), said)
         self.assertEqual(first, (self.folder / "out" / "poses.csv").read_text(encoding="utf-8"))
-        self.write()
+        self.write(**short)
         wait()
         second = (self.folder / "out" / "poses.csv").read_text(encoding="utf-8")
-        self.assertEqual((1 + 3 * 61, 1 + 2 * 61), (first.count("\n"), second.count("\n")))
+        self.assertEqual((1 + 3 * 13, 1 + 2 * 13), (first.count("\n"), second.count("\n")))
         self.assertNotEqual(stamp, (self.folder / "out" / "page.watch.js").read_text(encoding="utf-8"))
         process.send_signal(signal.SIGINT)
         self.assertEqual(0, process.wait(60), said)

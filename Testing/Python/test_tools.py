@@ -2,7 +2,7 @@
 """ParaView's own tools on Waft's data: groups, blocks, tables and thresholds as inputs, data by the names of ports, extractors of
 each port, and states that another process runs.
 
-    pvpython test_tools.py PVPYTHON"""
+    pvpython run.py test_tools.py PVPYTHON"""
 import csv
 import hashlib
 import os
@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import waft
 from waft.reading import read_image, read_surface
 
-PVPYTHON = sys.argv.pop(1)
+PVPYTHON = sys.argv[1]
 FRAMES, RATE, SEED = 60, 24, 7
 READER = ("Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind")
 DIGEST = """
@@ -184,7 +184,3 @@ class ToolsTest(unittest.TestCase):
         load = f"import waft\nfrom paraview import simple\nsimple.LoadState({str(state)!r})"
         self.assertEqual(wanted, self.in_another_process(f"{load}\n{look}"))
         self.assertEqual(wanted, self.in_another_process(f"import waft\n{smstate.get_state()}\n{look}"))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,6 +3,7 @@
 
     python3 test_types.py MODULES         MODULES: the folder with the package waft in the sources; without mypy it is skipped
 """
+import os
 import pathlib
 import shutil
 import subprocess
@@ -58,7 +59,7 @@ class Types(unittest.TestCase):
 
     def mypy(self, *arguments):
         return subprocess.run(["mypy", "--ignore-missing-imports", "--python-executable", sys.executable,
-                               "--cache-dir", self.folder / "cache", *arguments],
+                               "--cache-dir", pathlib.Path(os.environ.get("WAFT_CACHE", self.folder)) / "mypy", *arguments],
                               cwd=MODULES, capture_output=True, text=True, check=False)
 
     def test_of_the_package(self):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Vortices that the optimiser gives are edited and given back to it.
 
-    pvpython test_vortices.py"""
+    pvpython run.py test_vortices.py"""
 import math
 import os
 import pathlib
@@ -140,8 +140,3 @@ class Vortices(unittest.TestCase):
         deleted = self.update(edited(vtkPolyData()))
         self.assertGreater(numpy.abs(deleted - added).max(), 1e-3)
         self.assertEqual(numpy.abs(vtk_to_numpy(self.output(0).GetPointData().GetArray("VortexAcceleration"))).max(), 0)
-
-
-if __name__ == "__main__":
-    done = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2)
-    sys.exit(0 if done.result.wasSuccessful() else 1)
