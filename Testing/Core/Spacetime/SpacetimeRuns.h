@@ -16,7 +16,7 @@ namespace waft
 inline SpacetimeOptions QuickOptions()
 {
   SpacetimeOptions options;
-  options.NumberOfGasParticles = 343;
+  options.NumberOfGasParticles = 216;
   options.NumberOfObjectParticles = 25;
   options.LeashIterations = 8;
   options.MaximumNumberOfIterations = 40;

@@ -41,7 +41,6 @@ SpacetimeInput Scene()
 SpacetimeOptions Options(const std::string& path)
 {
   SpacetimeOptions options = QuickOptions();
-  options.NumberOfGasParticles = 216;
   options.MaximumNumberOfIterations = 30;
   options.CheckpointFile = path;
   options.CheckpointInterval = 0.0;

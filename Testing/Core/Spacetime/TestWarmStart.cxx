@@ -58,7 +58,7 @@ TEST(WarmStart, GoesOnAfterAChangedWeightAndReachesWhatAFreshRunReaches)
   options.WarmStart = false;
   ExpectSameMotion(RunScene(input, options, 2, &memory), fresh);
   options.WarmStart = true;
-  options.NumberOfGasParticles = 216;
+  options.NumberOfGasParticles = 125;
   EXPECT_EQ(RunScene(input, options, 2, &memory).Convergence.front().Stage, "initial");
   SceneOptions longer;
   longer.NumberOfFrames = 61;
