@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SoftDisc.h"
 
+#include <vtkActor.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyData.h>
+#include <vtkShaderProperty.h>
 #include <vtkTexture.h>
 
 #include <algorithm>
@@ -33,6 +37,23 @@ vtkSmartPointer<vtkTexture> MakeSoftDisc(double strength)
   disc->SetInputData(picture);
   disc->InterpolateOn();
   return disc;
+}
+
+vtkSmartPointer<vtkPolyData> TopOf(const double box[6])
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(box[0], box[2], box[5]);
+  plane->SetPoint1(box[1], box[2], box[5]);
+  plane->SetPoint2(box[0], box[3], box[5]);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+void LeaveOutRim(vtkActor* floor)
+{
+  floor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::TCoord::Impl", true, "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.002) discard;\n",
+    false);
 }
 
 } // namespace waft

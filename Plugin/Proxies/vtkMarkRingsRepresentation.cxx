@@ -2,6 +2,7 @@
 #include "vtkMarkRingsRepresentation.h"
 
 #include "PartOfSurface.h"
+#include "SoftDisc.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -11,10 +12,12 @@
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOutlineSource.h>
 #include <vtkPointData.h>
 #include <vtkPointGaussianMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -33,6 +36,7 @@ constexpr int Position = 0, Rest = 4; // Kinds of rows that are places
 // Of rings that lie: their radius, over that of others, for they go round bodies; what is clear of
 // it; and how high they hang, for bodies dip into what they lie on.
 constexpr double LyingSize = 2.5, LyingHole = 0.72, Lift = 0.1;
+constexpr double EdgeStrength = 0.4; // of the edges of a volume
 constexpr int Corners = 48;
 using Rgb = std::array<unsigned char, 3>;
 constexpr Rgb Waiting{ 235, 150, 40 }, Met{ 40, 190, 120 }, Missed{ 215, 60, 45 };
@@ -49,8 +53,8 @@ double ValueOf(vtkDataArray* array, vtkIdType tuple, double otherwise)
                                                                 : otherwise;
 }
 
-/// Radius where rows have none [m].
-double LeastRadius(vtkPolyData* marks)
+/// The volume of a scene; where the data have none, what the marks take up.
+std::array<double, 6> VolumeOf(vtkPolyData* marks)
 {
   std::array<double, 6> box{};
   vtkDataArray* volume = marks->GetFieldData()->GetArray("Bounds");
@@ -65,6 +69,13 @@ double LeastRadius(vtkPolyData* marks)
   {
     marks->GetBounds(box.data());
   }
+  return box;
+}
+
+/// Radius where rows have none [m].
+double LeastRadius(vtkPolyData* marks)
+{
+  const std::array<double, 6> box = VolumeOf(marks);
   const auto crowd = static_cast<double>(marks->GetNumberOfPoints());
   return Least * std::min(1.0, std::sqrt(FewMarks / crowd)) *
          std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
@@ -120,8 +131,55 @@ void DrawRings(vtkActor* actor)
 
 } // namespace
 
+vtkMarkRingsRepresentation::vtkMarkRingsRepresentation() :
+  Pool(waft::MakeSoftDisc(waft::FloorStrength))
+{
+}
+
+vtkMarkRingsRepresentation::~vtkMarkRingsRepresentation() = default;
+
+void vtkMarkRingsRepresentation::AddVolume(vtkPolyData* block, Parts& parts)
+{
+  const std::array<double, 6> box = VolumeOf(block);
+  std::array<double, 6> under = box;
+  under[5] = box[4];
+  Part floor;
+  std::copy_n(waft::FloorColor, 3, floor.Color);
+  floor.IsLit = false;
+  floor.IsPool = true;
+  floor.Actor = this->ActorFor(parts, waft::TopOf(under.data()), this->Pool, waft::LeaveOutRim);
+  const double* bounds = block->GetBounds();
+  for (int side = 0; side < 6; ++side)
+  {
+    floor.Reach = std::max(floor.Reach, std::abs(box[side] - bounds[side]));
+  }
+  parts.push_back(std::move(floor));
+  vtkNew<vtkOutlineSource> edges;
+  edges->SetBounds(box.data());
+  edges->Update();
+  vtkPolyData* lines = edges->GetOutput();
+  for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+  {
+    const double* place = block->GetPoint(i);
+    const vtkIdType upright[2] = { lines->GetPoints()->InsertNextPoint(place),
+                                   lines->GetPoints()->InsertNextPoint(place[0], place[1],
+                                                                       box[4]) };
+    lines->GetLines()->InsertNextCell(2, upright);
+  }
+  Part part;
+  part.Opacity = EdgeStrength;
+  part.IsLit = false;
+  part.IsVeil = true;
+  part.Actor = this->ActorFor(parts, lines, nullptr);
+  parts.push_back(std::move(part));
+}
+
 void vtkMarkRingsRepresentation::AddParts(vtkPolyData* block, double time, Parts& parts)
 {
+  if (this->ShowVolume)
+  {
+    this->AddVolume(block, parts);
+  }
   vtkPointData* rows = block->GetPointData();
   vtkDataArray* kinds = rows->GetArray("Kind");
   const double rate = ValueOf(block->GetFieldData()->GetArray("FramesPerSecond"), 0, 30.0);
@@ -183,4 +241,5 @@ void vtkMarkRingsRepresentation::AddParts(vtkPolyData* block, double time, Parts
 void vtkMarkRingsRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ShowVolume: " << this->ShowVolume << "\n";
 }

@@ -19,14 +19,26 @@ public:
   vtkTypeMacro(vtkMarkRingsRepresentation, vtkPartsRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /// Whether the volume of the scene is drawn, too: its edges, its floor, and how high each place
+  /// is above it. Default off.
+  vtkSetMacro(ShowVolume, bool);
+  vtkGetMacro(ShowVolume, bool);
+  ///@}
+
 protected:
-  vtkMarkRingsRepresentation() = default;
-  ~vtkMarkRingsRepresentation() override = default;
+  vtkMarkRingsRepresentation();
+  ~vtkMarkRingsRepresentation() override;
 
   void AddParts(vtkPolyData* block, double time, Parts& parts) override;
   bool VariesInTime() const override { return true; }
 
 private:
+  void AddVolume(vtkPolyData* block, Parts& parts);
+
+  bool ShowVolume = false;
+  vtkSmartPointer<vtkTexture> Pool;
+
   vtkMarkRingsRepresentation(const vtkMarkRingsRepresentation&) = delete;
   void operator=(const vtkMarkRingsRepresentation&) = delete;
 };

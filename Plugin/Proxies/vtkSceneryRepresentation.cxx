@@ -9,11 +9,9 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataConnectivityFilter.h>
-#include <vtkShaderProperty.h>
 #include <vtkTexture.h>
 
 #include <algorithm>
@@ -27,9 +25,7 @@ namespace
 {
 
 constexpr int MostParts = 64;     // that are drawn by themselves where none has an id
-constexpr double Strength = 0.6;  // of the floor in its middle
 constexpr double Standing = 0.55; // opacity of obstacles: what flies behind them is seen
-constexpr double Floor[3] = { 0.86, 0.86, 0.84 };
 constexpr double Obstacle[3] = { 0.80, 0.82, 0.84 };
 
 using Box = std::array<double, 6>;
@@ -61,25 +57,6 @@ bool IsGround(vtkPolyData* obstacle, vtkDataArray* volume)
   return own[0] <= at(0) && own[1] >= at(1) && own[2] <= at(2) && own[3] >= at(3) && own[5] < at(5);
 }
 
-vtkSmartPointer<vtkPolyData> TopOf(vtkPolyData* slab)
-{
-  const Box box = BoxOf(slab);
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(box[0], box[2], box[5]);
-  plane->SetPoint1(box[1], box[2], box[5]);
-  plane->SetPoint2(box[0], box[3], box[5]);
-  plane->Update();
-  return plane->GetOutput();
-}
-
-/// What is not to be seen of the floor hides nothing.
-void LeaveOutRim(vtkActor* floor)
-{
-  floor->GetShaderProperty()->AddFragmentShaderReplacement(
-    "//VTK::TCoord::Impl", true, "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.002) discard;\n",
-    false);
-}
-
 /// By their ids; of what has none, each part that hangs together is an obstacle, as stages have it.
 std::map<vtkIdType, vtkSmartPointer<vtkPolyData>> ObstaclesOf(vtkPolyData* surface)
 {
@@ -99,7 +76,9 @@ std::map<vtkIdType, vtkSmartPointer<vtkPolyData>> ObstaclesOf(vtkPolyData* surfa
 
 } // namespace
 
-vtkSceneryRepresentation::vtkSceneryRepresentation() : Pool(waft::MakeSoftDisc(Strength)) {}
+vtkSceneryRepresentation::vtkSceneryRepresentation() : Pool(waft::MakeSoftDisc(waft::FloorStrength))
+{
+}
 
 vtkSceneryRepresentation::~vtkSceneryRepresentation() = default;
 
@@ -110,13 +89,14 @@ void vtkSceneryRepresentation::AddParts(vtkPolyData* block, double, Parts& parts
   {
     const bool isGround = IsGround(surface, volume);
     Part part;
-    std::copy_n(isGround ? Floor : Obstacle, 3, part.Color);
+    std::copy_n(isGround ? waft::FloorColor : Obstacle, 3, part.Color);
     part.IsLit = !isGround;
     part.IsPool = isGround;
     part.Opacity = isGround ? 1.0 : Standing;
-    const vtkSmartPointer<vtkPolyData> drawn = isGround ? TopOf(surface) : surface;
+    const vtkSmartPointer<vtkPolyData> drawn =
+      isGround ? waft::TopOf(BoxOf(surface).data()) : surface;
     part.Actor = this->ActorFor(parts, drawn, isGround ? this->Pool : nullptr,
-                                isGround ? LeaveOutRim : nullptr);
+                                isGround ? waft::LeaveOutRim : nullptr);
     parts.push_back(std::move(part));
   }
 }

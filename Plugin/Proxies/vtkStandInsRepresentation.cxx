@@ -4,7 +4,6 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
-#include <vtkFloatArray.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -21,10 +20,10 @@ namespace
 {
 
 constexpr double UsualRadius = 0.05; // m, of what has none
-constexpr double LeafColor[3] = { 0.62, 0.78, 0.30 };
+constexpr double LeafColor[3] = { 0.52, 0.72, 0.26 };
 constexpr int Stations = 9;                               // along a leaf
 constexpr double Leaning[4] = { 0.906, 0.423, 0.0, 0.0 }; // of what starts as chance has it
-constexpr double Width = 0.42, Bend = 0.22, Fold = 0.25;  // over half its length, of its width
+constexpr double Width = 0.42, Bend = 0.22, Fold = 0.45;  // over half its length, of its width
 
 /// A leaf about the origin, of half length 1: at each station the left rim, the vein and the right.
 struct Leaf
@@ -50,11 +49,10 @@ struct Leaf
 };
 
 void AddLeaf(const Leaf& leaf, const double* center, double radius, const double* quaternion,
-             vtkPoints* places, vtkFloatArray* normals, vtkCellArray* quads)
+             vtkPoints* places, vtkCellArray* quads)
 {
   double turn[3][3];
   vtkMath::QuaternionToMatrix3x3(quaternion, turn);
-  const double up[3] = { turn[0][2], turn[1][2], turn[2][2] };
   const vtkIdType first = places->GetNumberOfPoints();
   for (const double* point : leaf.Points)
   {
@@ -65,7 +63,6 @@ void AddLeaf(const Leaf& leaf, const double* center, double radius, const double
       turned[axis] = center[axis] + radius * turned[axis];
     }
     places->InsertNextPoint(turned);
-    normals->InsertNextTuple(up);
   }
   for (int i = 0; i + 1 < Stations; ++i)
   {
@@ -88,9 +85,6 @@ void vtkStandInsRepresentation::AddParts(vtkPolyData* block, double, Parts& part
   const bool areTurned = turns != nullptr && turns->GetNumberOfComponents() == 4;
   const Leaf leaf;
   vtkNew<vtkPoints> places;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->SetName("Normals");
   vtkNew<vtkCellArray> quads;
   Part part;
   for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
@@ -103,13 +97,12 @@ void vtkStandInsRepresentation::AddParts(vtkPolyData* block, double, Parts& part
     {
       turns->GetTuple(i, quaternion);
     }
-    AddLeaf(leaf, block->GetPoint(i), radius, quaternion, places, normals, quads);
+    AddLeaf(leaf, block->GetPoint(i), radius, quaternion, places, quads);
     part.Reach = std::max(part.Reach, radius);
   }
   const auto leaves = vtkSmartPointer<vtkPolyData>::New();
   leaves->SetPoints(places);
   leaves->SetPolys(quads);
-  leaves->GetPointData()->SetNormals(normals);
   std::copy_n(LeafColor, 3, part.Color);
   part.Actor = this->ActorFor(parts, leaves, nullptr);
   parts.push_back(std::move(part));

@@ -18,7 +18,7 @@ bool IsPathOrMark(pqDataRepresentation* shown)
 {
   const std::string kind = shown->getProxy()->GetXMLName();
   return kind == "MotionFaintPathsRepresentation" || kind == "MotionPathsRepresentation" ||
-         kind == "MotionMarksRepresentation";
+         kind == "MotionMarksRepresentation" || kind == "MotionPlacedMarksRepresentation";
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <vtkMath.h>
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
+#include <vtkRenderer.h>
 #include <vtkSMOutputPort.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMRenderViewProxy.h>
@@ -29,7 +30,6 @@ namespace
 {
 
 const vtkVector3d Direction(-0.35, 1.0, -0.55); // that the camera looks in
-constexpr double Room = 0.3;                    // round a single point [m]
 constexpr double Around = 1.5;                  // radii of an object that are to be seen
 constexpr double Near = 0.05;  // of the extent of what flies: obstacles this near belong to it
 constexpr double Filled = 0.9; // of the view's height or width
@@ -104,11 +104,14 @@ bool Frame(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown)
   {
     return false;
   }
+  vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
   if (box.GetMaxLength() <= 0.0)
   {
-    box.Inflate(Room);
+    double drawn[6]; // a mark's has the volume in it
+    proxy->StillRender();
+    proxy->GetRenderer()->ComputeVisiblePropBounds(drawn);
+    box.SetBounds(drawn);
   }
-  vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
   int size[2] = { 0, 0 };
   vtkSMPropertyHelper(proxy, "ViewSize").Get(size, 2);
   const double aspect = size[0] > 0 && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;

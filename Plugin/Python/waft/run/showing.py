@@ -13,7 +13,6 @@ from waft.run.updating import update
 
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
 _DIRECTION = (-0.35, 1.0, -0.55)  # that the first camera looks in: from the front and above
-_ROOM = 0.3  # round a single point, in metres
 _AROUND = 1.5  # radii of an object that are to be seen
 _NEAR = 0.05  # of the extent of what flies: obstacles this near belong to the picture
 _FILLED = 0.9  # of the view's height or width
@@ -132,7 +131,8 @@ def _look_at(view, outputs):
         low = [min(own, max(end, own - near)) for own, end in zip(low, least)]
         high = [max(own, min(end, own + near)) for own, end in zip(high, most)]
     if low == high:
-        low, high = [end - _ROOM for end in low], [end + _ROOM for end in high]
+        drawn = view.GetRenderer().ComputeVisiblePropBounds()  # a mark's has the volume in it
+        low, high = drawn[::2], drawn[1::2]
     forward = _unit(_DIRECTION)
     right = _unit(np.cross(forward, (0.0, 0.0, 1.0)))
     up = np.cross(right, forward)
