@@ -17,7 +17,7 @@ sys.path.insert(0, str(ROOT / "Testing" / "Gui"))
 
 from window import play  # noqa: E402
 
-SIZE = (1200, 820)
+SIZE = (1600, 1000)
 PICTURES = 5  # of watch_flight.py
 FILES = ("Scenes/feather-waypoints.waft.json", "Shapes/feather-barred.png")
 

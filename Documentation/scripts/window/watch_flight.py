@@ -16,7 +16,7 @@ from watching import has_bodies, is_in_the_air, view, wait_until, watch  # noqa:
 FOLDER = os.environ["WAFT_GUI_PICTURES"]
 MARK = (0.9, -0.3, 1.5)  # of the scene
 TIME = 190 / 30  # s, when the feather is at it
-DISTANCE = 5.0  # m, of the camera
+DISTANCE = 3.0  # m, of the camera
 NEXT_TIME = 240 / 30  # s, of the mark that is new
 COVERED = 0.1  # of the screen
 ROUNDS = 50  # of the window's events, in which it draws what it has
