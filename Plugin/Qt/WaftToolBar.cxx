@@ -11,6 +11,7 @@
 #include "WaftMarks.h"
 #include "WaftMenu.h"
 #include "WaftNames.h"
+#include "WaftPace.h"
 #include "WaftRemarks.h"
 #include "WaftStages.h"
 #include "WaftVerdict.h"
@@ -146,6 +147,7 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->Show(State::Resting, {});
   // ParaView's own rows are full; this one is beside its progress. Once the window has taken it in.
   QTimer::singleShot(0, this, &WaftToolBar::MoveDown);
+  new WaftPace(this);
   waft::AddToSourcesMenu();
 }
 

@@ -58,7 +58,8 @@ def look(animation):
     bars = [one for one in view.Representations if one.SMProxy.GetXMLName() == "ScalarBarWidgetRepresentation" and one.Visibility]
     line = {"share": float(taken.mean()), "contrast": float(apart[taken].mean()) if taken.any() else 0.0,
             "color": whole[taken].mean(axis=0).tolist() if taken.any() else [], "bars": len(bars), "camera": at,
-            "steps": len(keeper.TimestepValues or []), "end": simple.GetAnimationScene().EndTime}
+            "steps": len(keeper.TimestepValues or []), "end": simple.GetAnimationScene().EndTime,
+            "duration": simple.GetAnimationScene().Duration}
     line["looks"] = [str(simple.GetRepresentation(animation[port], view).Representation).strip("'") for port in ("Meshes", "Poses", "Obstacles", "Marks")]
     line["background"] = str(view.BackgroundColorMode).strip("'")
     showing._look_at(view, [simple.OutputPort(animation, port) for port in (0, 1, 2, 4)])  # those that are shown by themselves
@@ -88,7 +89,8 @@ def drawn(*_):
     global ended
     if not looks:
         image = picture()
-        write({"time": keeper.Time, "columns": np.round(image.mean(axis=(0, 2)), 3).tolist(), "steps": steps()})
+        write({"time": keeper.Time, "columns": np.round(image.mean(axis=(0, 2)), 3).tolist(), "steps": steps(),
+               "clock": time.monotonic(), "mode": str(simple.GetAnimationScene().PlayMode).strip("'")})
         ended = ended or keeper.Time >= (FRAMES - 1.5) / 30
 
 
