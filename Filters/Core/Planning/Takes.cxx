@@ -129,7 +129,8 @@ Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeO
     }
     if (take == 0)
     {
-      reference = StyleOf(input.Database.Scaled(DatabaseScale(input.Database, input.Scene)));
+      const double scale = DatabaseScale(input.Database, input.Scene);
+      reference = scale == 1.0 ? StyleOf(input.Database) : StyleOf(input.Database.Scaled(scale));
     }
     TakeScore score = ScoreOf(plan, reference, input.Scene.Time);
     score.Take = take;

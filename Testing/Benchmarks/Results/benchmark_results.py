@@ -19,9 +19,9 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataReader, vtk
 
 import waft  # noqa: F401 (loads the plugin)
 from waft.files import half, write_xml
-from waft.results import Entry
+from waft.results.place import Entry
+from waft.results.writing import AIR_INTERVAL, spaced, write_tracks
 from waft.vtkWaftFilters import vtkMotionAnimationWriter
-from waft.writing import AIR_INTERVAL, spaced, write_tracks
 
 RATE = 30.0
 
