@@ -93,10 +93,7 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
   {
     constraint.Value = node.At("value", "a vector [x, y, z]").Vector();
   }
-  if (node.Has("radius"))
-  {
-    constraint.Radius = node.At("radius", "").Number();
-  }
+  node.Take("radius", constraint.Radius);
   if (simple->Lasts)
   {
     const int last = this->Out.Info.Time.NumberOfFrames - 1;
@@ -128,10 +125,7 @@ void SceneReader::ReadSides(const SceneNode& node, Constraint& constraint)
       direction.Fail("a direction that is not zero");
     }
     constraint.Facing = direction.Vector() / length;
-    if (facing.Has("tolerance"))
-    {
-      constraint.FacingTolerance = facing.At("tolerance", "").Number();
-    }
+    facing.Take("tolerance", constraint.FacingTolerance);
   }
   if (node.Has("faceUp"))
   {
@@ -156,10 +150,7 @@ void SceneReader::ReadPath(const SceneNode& node, int row)
   constraint.Row = row;
   constraint.ObjectId = this->ObjectId(node.At("object", "the id of an object"), 0);
   const int first = this->Frame(node.At("firstFrame", "a frame of the scene"));
-  if (node.Has("radius"))
-  {
-    constraint.Radius = node.At("radius", "").Number();
-  }
+  node.Take("radius", constraint.Radius);
   const SceneNode points = node.At("points", "a list of points, one a frame");
   const std::size_t count = points.Size("a list of points, one a frame");
   const int room = this->Out.Info.Time.NumberOfFrames - first;
@@ -237,10 +228,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
   constraint.Group = row;
   constraint.Frame = this->Frame(node.At("frame", "a frame of the scene"));
   constraint.Until = constraint.Frame;
-  if (node.Has("radius"))
-  {
-    constraint.Radius = node.At("radius", "").Number();
-  }
+  node.Take("radius", constraint.Radius);
   bool rests = false;
   std::optional<Vec3> velocity;
   if (node.Has("velocity"))

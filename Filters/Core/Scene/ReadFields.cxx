@@ -178,8 +178,11 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
         p = Vec3(p.x(), -p.z(), p.y());
       }
     }
-    const double scale = node.Has("scale") ? node.At("scale", "").Number() : 1.0;
-    reference = first(node.Has("position") ? node.At("position", "").Vector() : Vec3(Vec3::Zero()));
+    double scale = 1.0;
+    node.Take("scale", scale);
+    Vec3 position = Vec3::Zero();
+    node.Take("position", position);
+    reference = first(position);
     for (Vec3& p : obstacle.Mesh.Points)
     {
       p = scale * p + reference;
@@ -189,8 +192,8 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
   {
     kindNode.Fail(expected);
   }
-  obstacle.ObstacleId =
-    node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id")) : index;
+  obstacle.ObstacleId = index;
+  node.Take("id", obstacle.ObstacleId, "an id");
   Result closed = RepairSurface(node.Pointer(), obstacle.Mesh);
   if (closed && (kind == "mesh" || IsNearlyRounded(obstacle.Mesh)))
   {
@@ -306,14 +309,12 @@ void SceneReader::ReadWinds(const SceneNode& node)
         }
       }
       wind.IsYUp = IsYUp(item);
-      if (item.Has("firstFrame"))
+      int firstFrame = 0;
+      if (item.Take("firstFrame", firstFrame, "a frame"))
       {
-        wind.FirstFrame = static_cast<int>(item.At("firstFrame", "").Integer("a frame"));
+        wind.FirstFrame = firstFrame;
       }
-      if (item.Has("scale"))
-      {
-        wind.Scale = item.At("scale", "").Number();
-      }
+      item.Take("scale", wind.Scale);
       this->Out.WindFiles.push_back(std::move(wind));
       continue;
     }

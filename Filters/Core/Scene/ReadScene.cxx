@@ -84,40 +84,21 @@ void SceneReader::ReadInfo(const SceneNode& root)
 {
   SceneInfo& info = this->Out.Info;
   root.At("waft", "the format's version 1").Integer("the format's version 1");
-  if (root.Has("title"))
-  {
-    this->Out.Title = root.At("title", "").Text();
-  }
-  if (root.Has("seed"))
-  {
-    info.Seed = static_cast<std::uint64_t>(root.At("seed", "").Integer("a seed"));
-  }
+  root.Take("title", this->Out.Title);
+  root.Take("seed", info.Seed, "a seed");
   if (root.Has("time"))
   {
     const SceneNode time = root.At("time", "");
     time.CheckFields("time");
-    if (time.Has("frames"))
-    {
-      info.Time.NumberOfFrames =
-        static_cast<int>(time.At("frames", "").Integer("a number of frames"));
-    }
-    if (time.Has("framesPerSecond"))
-    {
-      info.Time.FramesPerSecond = time.At("framesPerSecond", "").Number();
-    }
+    time.Take("frames", info.Time.NumberOfFrames, "a number of frames");
+    time.Take("framesPerSecond", info.Time.FramesPerSecond);
   }
   if (root.Has("domain"))
   {
     const SceneNode domain = root.At("domain", "");
     domain.CheckFields("domain");
-    if (domain.Has("min"))
-    {
-      info.Bounds.Min = domain.At("min", "").Vector();
-    }
-    if (domain.Has("max"))
-    {
-      info.Bounds.Max = domain.At("max", "").Vector();
-    }
+    domain.Take("min", info.Bounds.Min);
+    domain.Take("max", info.Bounds.Max);
     const Vec3 size = info.Bounds.Size();
     if (!(size.minCoeff() > 0.0))
     {
@@ -133,10 +114,7 @@ void SceneReader::ReadInfo(const SceneNode& root)
   {
     const SceneNode air = root.At("air", "");
     air.CheckFields("air");
-    if (air.Has("density"))
-    {
-      info.AirDensity = air.At("density", "").Number();
-    }
+    air.Take("density", info.AirDensity);
   }
 }
 

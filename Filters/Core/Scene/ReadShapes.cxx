@@ -84,17 +84,10 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
                    "\"; the shape goes on without a texture");
     }
   }
-  const auto number = [&](const char* field, double& value)
-  {
-    if (node.Has(field))
-    {
-      value = node.At(field, "").Number();
-    }
-  };
-  number("areaDensity", shape.AreaDensity);
-  number("thickness", shape.Thickness);
-  number("dragCoefficient", shape.DragCoefficient);
-  number("settlingSpeed", shape.SettlingSpeed);
+  node.Take("areaDensity", shape.AreaDensity);
+  node.Take("thickness", shape.Thickness);
+  node.Take("dragCoefficient", shape.DragCoefficient);
+  node.Take("settlingSpeed", shape.SettlingSpeed);
   const double mass = ShellMass(shape);
   if (!limits::Mass.Holds(mass))
   {
@@ -185,44 +178,24 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
     shapeNode.Fail("the name of a shape (" + this->KnownShapes() + ")");
   }
   MotionObject object;
-  object.OrientationGiven = 0;
   object.ShapeId = static_cast<int>(shape - shapes.begin());
   object.ClassId = shape->ClassId;
   object.SettlingSpeed = shape->SettlingSpeed;
   object.ClearanceRadius = ClearanceRadius(*shape);
   object.RestHeight = RestHeight(*shape);
-  object.Mass = node.Has("mass") ? node.At("mass", "").Number() : ShellMass(*shape);
-  if (node.Has("settlingSpeed"))
-  {
-    object.SettlingSpeed = node.At("settlingSpeed", "").Number();
-  }
-  if (node.Has("clearanceRadius"))
-  {
-    object.ClearanceRadius = node.At("clearanceRadius", "").Number();
-  }
-  if (node.Has("restHeight"))
-  {
-    object.RestHeight = node.At("restHeight", "").Number();
-  }
+  object.Mass = ShellMass(*shape);
+  node.Take("mass", object.Mass);
+  node.Take("settlingSpeed", object.SettlingSpeed);
+  node.Take("clearanceRadius", object.ClearanceRadius);
+  node.Take("restHeight", object.RestHeight);
   if (node.Has("class"))
   {
     const std::string name = node.At("class", "").Text();
     object.ClassId = name.empty() ? -1 : this->ClassOf(name);
   }
-  if (node.Has("velocity"))
-  {
-    object.Velocity = node.At("velocity", "").Vector();
-    object.VelocityGiven = 1;
-  }
-  if (node.Has("orientation"))
-  {
-    object.Orientation = node.At("orientation", "").Rotation();
-    object.OrientationGiven = 1;
-  }
-  if (node.Has("angularVelocity"))
-  {
-    object.AngularVelocity = node.At("angularVelocity", "").Vector();
-  }
+  object.VelocityGiven = node.Take("velocity", object.Velocity) ? 1 : 0;
+  object.OrientationGiven = node.Take("orientation", object.Orientation) ? 1 : 0;
+  node.Take("angularVelocity", object.AngularVelocity);
   std::vector<Vec3> positions;
   if (inRegion)
   {
@@ -283,10 +256,7 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
     regionNode.Fail("a region whose max is not below its min");
   }
   std::uint64_t seed = this->Out.Info.Seed;
-  if (node.Has("seed"))
-  {
-    seed = static_cast<std::uint64_t>(node.At("seed", "").Integer("a seed"));
-  }
+  node.Take("seed", seed, "a seed");
   const auto& objects = this->Out.Objects;
   while (this->Placed.Count() < objects.size())
   {

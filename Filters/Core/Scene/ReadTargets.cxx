@@ -189,10 +189,7 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
   node.CheckFields(node.Has("text") ? "textTargets"
                                     : (node.Has("image") ? "imageTargets" : "meshTargets"));
   std::size_t count = objects;
-  if (node.Has("count"))
-  {
-    count = static_cast<std::size_t>(node.At("count", "").Integer("a number of targets"));
-  }
+  node.Take("count", count, "a number of targets");
   if (node.Has("mesh"))
   {
     return this->SampleMesh(node, count, row);

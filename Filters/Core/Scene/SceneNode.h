@@ -56,6 +56,29 @@ public:
   /// Throws "pointer: message".
   [[noreturn]] void FailWith(const std::string& message) const;
 
+  /// Reads a field where it is there, as its table has it; returns whether it is. what: of whole
+  /// numbers, for messages.
+  template <class Value>
+  bool Take(const char* field, Value& value) const
+  {
+    const bool isThere = this->Has(field);
+    if (isThere)
+    {
+      this->At(field, "").To(value);
+    }
+    return isThere;
+  }
+  template <class Value>
+  bool Take(const char* field, Value& value, const char* what) const
+  {
+    const bool isThere = this->Has(field);
+    if (isThere)
+    {
+      value = static_cast<Value>(this->At(field, "").Integer(what));
+    }
+    return isThere;
+  }
+
   bool IsString() const { return this->Value.is_string(); }
   bool IsArray() const { return this->Value.is_array(); }
   bool Has(const std::string& field) const;
@@ -86,6 +109,12 @@ public:
   Quat Rotation() const;
 
 private:
+  void To(double& value) const { value = this->Number(); }
+  void To(bool& value) const { value = this->Boolean(); }
+  void To(std::string& value) const { value = this->Text(); }
+  void To(Vec3& value) const { value = this->Vector(); }
+  void To(Quat& value) const { value = this->Rotation(); }
+
   void RefuseControls(const std::string& text) const;
   std::vector<double> Numbers(std::size_t count, const std::string& expected) const;
 
