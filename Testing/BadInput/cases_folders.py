@@ -53,31 +53,40 @@ def _write(path, content):
     path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
 
 
-def _move(r, journal, files=()):
-    """A change of results that was cut short, with files that go in."""
-    _write(r / ".waft-move" / "journal.json", journal)
+def _change(r, manifest, files=()):
+    """A change of results that was staged whole and cut short, with files that go in."""
+    from waft.temporary import temporary_name
+
+    staging = r / temporary_name()
+    _write(staging / "manifest.json", manifest)
     for name in files:
-        path = r / ".waft-move" / "new" / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(TEXT)
+        _write(staging / "new" / name, TEXT.decode())
+    return staging
 
 
-def _names_of_journals():
+def _changed(new=(), old=()):
+    """A manifest of the change of these rows, with that of the seal."""
+    return {"seal": "report.json", "new": [{"name": "report.json", **ROW}, *new], "old": list(old)}
+
+
+def _names_in_changes():
     for number, name in enumerate(LEADING):
         for which in ("new", "old") if name != "thesis-link" else ():
             def change(r, mine, name=name, which=which):
                 inner = name if isinstance(name, str) and re.fullmatch(r"\w+(/[\w.]+)+", name) and len(name) < 99 else "one"
-                _move(r, {"seal": "report.json", "new": [], "old": [], which: [{"name": _named(name, mine), **ROW}]}, [inner])
-                (r / "one").write_bytes(TEXT)
-            arguments = (PAGE, MEASURE, EXPORT)[(number + (which == "new")) % 3]
-            yield _case(f"a journal whose {which} file is {name!r}", change, arguments, ".waft-move", has_links=True)
+                (r / "report.json").unlink()
+                _change(r, _changed(**{which: [{"name": _named(name, mine), **ROW}]}), [inner, "report.json"])
+            # What is not there under a name of the results before is not removed.
+            if which == "new" or not isinstance(name, str) or not re.match(r"\w+/\w", name):
+                yield _case(f"a staged manifest whose {which} file is {name!r}", change, (PAGE, MEASURE, EXPORT)[number % 3], ".waft-",
+                            has_links=True)
 
 
-def _contents_of_journals():
+def _contents_of_changes():
     rows = [{"name": "one", **ROW}]
-    right = {"seal": "report.json", "new": rows, "old": []}
+    right = _changed(rows)
     wrongs = ([], 7, "text", None, {}, {"seal": "none"}, {**right, "new": {}}, {**right, "old": None}, {**right, "seal": 3},
-              {**right, "more": 1}, {**right, "new": [7]}, {**right, "new": ["one"]}, {**right, "new": [{"name": "one"}]},
+              {**right, "seal": "two"}, {**right, "more": 1}, {**right, "new": [7]}, {**right, "new": ["one"]}, {**right, "new": [{"name": "one"}]},
               *({**right, "new": [{**rows[0], **change}]} for change in (
                   {"size": -1}, {"size": "1"}, {"size": 1.5}, {"size": None}, {"size": 1e300}, {"digest": ""},
                   {"digest": "sha256:"},
@@ -86,22 +95,27 @@ def _contents_of_journals():
                   {"more": 1})))
     for number, wrong in enumerate((*wrongs, "{", "", "[" * 100000, "\ufeff")):
         arguments = (PAGE, EXPORT, RENDER, WRITE, MEASURE, EDIT)[number % 6]
-        yield _case(f"a journal of {json.dumps(wrong)[:40]}", lambda r, mine, wrong=wrong: _move(r, wrong, ["one"]), arguments,
-                    ".waft-move")
+        yield _case(f"a staged manifest of {json.dumps(wrong)[:40]}",
+                    lambda r, mine, wrong=wrong: _change(r, wrong, ["one", "report.json"]), arguments, ".waft-", "manifest.json")
 
 
-def _in_the_way_of_moves():
-    """Something of the user's, or something else, where files that change hands would go."""
-    rows = [{"name": "one", **ROW}]
+def _in_the_way_of_changes():
+    """Something of the user's, or something else, where files that change hands are or go."""
     for kind, make in KINDS.items():
-        for which, place in (("new", "one"), ("old", ".waft-move/old/one")):
-            def change(r, mine, make=make, which=which, place=place):
-                _move(r, {"seal": "report.json", "new": [], "old": [], which: rows}, ["one"] if place == "one" else [])
-                if place != "one":
-                    (r / "one").write_bytes(TEXT)
-                (r / place).parent.mkdir(exist_ok=True, parents=True)
-                make(r / place, mine)
-            yield _case(f"a move to {place}, which is {kind}", change, MEASURE, "one", ".waft-move")
+        for place in ("one", "report.json", "new/one", "manifest.json"):
+            def change(r, mine, make=make, place=place):
+                (r / "report.json").unlink()
+                staging = _change(r, _changed([{"name": "one", **ROW}]), ["one", "report.json"])
+                path = (r if place in ("one", "report.json") else staging) / place
+                path.unlink(missing_ok=True)
+                make(path, mine)
+            yield _case(f"a change in which {place} is {kind}", change, MEASURE, place)
+
+
+def _what_former_versions_left():
+    for name in (".waft-move", ".waft-put"):
+        for kind, make in KINDS.items():
+            yield _case(f"{name}, which is {kind}", lambda r, mine, name=name, make=make: make(r / name, mine), RENDER, name)
 
 
 def _manifests():
@@ -209,11 +223,10 @@ def _kinds():
             "page.json": (PAGE,), "page.html": (PAGE,), "export-glb.json": (EXPORT,), "scene.glb": (EXPORT,),
             "pictures.json": (RENDER,),
             "frames/hero_0000.png": (RENDER,), "checkpoint": (WRITE,), "checkpoint/key": (WRITE,),
-            "checkpoint/assimilation.state": (WRITE,),
-            ".waft-move": (PAGE, MEASURE, EDIT), ".waft-move/journal.json": (PAGE, MEASURE), ".waft-put": (RENDER, PAGE)}
+            "checkpoint/assimilation.state": (WRITE,), ".waft-lock": (PAGE, WRITE, EXPORT)}
     for number, (name, commands) in enumerate(read.items()):
         for place, (kind, make) in enumerate(KINDS.items()):
-            if (number + place) % 2 and name != "report.json" or (kind == "a folder" and name in (".waft-move", "checkpoint")):
+            if (number + place) % 2 and name != "report.json" or (kind == "a folder" and name == "checkpoint"):
                 continue  # each kind meets half of the names
 
             def change(r, mine, name=name, make=make):
@@ -255,20 +268,11 @@ def _kinds():
     yield _case("temporary folders that are and hold links", temporary, MEASURE, "report.json")
 
 
-def _puts():
-    """The log of pictures that were put in one by one."""
-    for wrong in ("7\n", "{}\n", "[]\n", '{"seal": 7}\n', '{"seal": "pictures.json", "more": 1}\n', "text\n", "{\n",
-                  *('{"seal": "pictures.json"}\n' + json.dumps(row) + "\n" for row in (
-                      {"name": "thesis.txt", "size": -1, "digest": ""}, {"name": "link/thesis.txt"},
-                      {"name": "../mine/thesis.txt", **ROW}, 7))):
-        yield _case(f".waft-put of {wrong!r}", lambda r, mine, wrong=wrong: _write(r / ".waft-put", wrong), RENDER, ".waft-put")
-
-
 def cases():
-    yield from _names_of_journals()
-    yield from _contents_of_journals()
-    yield from _in_the_way_of_moves()
+    yield from _names_in_changes()
+    yield from _contents_of_changes()
+    yield from _in_the_way_of_changes()
+    yield from _what_former_versions_left()
     yield from _manifests()
     yield from _names_in_files()
     yield from _kinds()
-    yield from _puts()

@@ -163,9 +163,8 @@ class Info(unittest.TestCase):
         self.assertNotIn("scene", held)
         self.assertEqual(["planner"], held["goesOn"]["resume"]["stages"])
         self.assertIn("no results yet: a run was stopped before", self.ask(self.out)[0])
-        folder = os.open(self.out, os.O_RDONLY)
-        self.addCleanup(os.close, folder)
-        fcntl.flock(folder, fcntl.LOCK_EX)  # as a run at work does
+        lock = self.enterContext(open(self.out / ".waft-lock", "wb"))
+        fcntl.flock(lock, fcntl.LOCK_EX)  # as a run at work does
         self.assertTrue(self.document(self.out)["result"]["atWork"])
         self.assertIn("a run is at work there", self.ask(self.out)[0])
 

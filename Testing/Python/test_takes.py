@@ -45,8 +45,11 @@ class Takes(unittest.TestCase):
         return (self.folder / "out" / f"take-{seed:04d}" / "poses.csv").read_bytes()
 
     def test_takes_differ_are_in_the_table_and_are_flown_once(self):
-        done = self.takes("3:4", "--jobs", "2")
-        self.assertEqual(0, done.returncode, done.stderr)
+        with subprocess.Popen(self.command("3:4"), cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as other:
+            done = self.takes("3:4", "--jobs", "2")
+            said = done.stderr + other.communicate()[1]
+        self.assertEqual((0, 0), (done.returncode, other.returncode), said)
+        self.assertEqual(2, said.count("there already"), said)  # by the one or the other each is flown once
         rows = self.rows()
         self.assertEqual([3, 4], list(rows))
         for row in rows.values():

@@ -17,8 +17,8 @@ import numpy as np
 from .command import ALL_MET, NOT_ALL_MET, STOPPED_EARLY, Process
 
 SCENE = "scene.waft.json"  # in the folder of a flight
-# What a run that is killed leaves: its folder `checkpoint` with these files (Plugin/Python/waft/resuming.py), and temporary folders
-# whose names end in what goes with their start (temporary.py).
+# What a run that is killed leaves: its folder `checkpoint` with these files (Plugin/Python/waft/run/resuming.py), its lock, and temporary
+# folders whose names end in what goes with their start (temporary.py); one with a manifest has results that are whole (place.py).
 _CHECKPOINT = re.compile(r"(planned|constraints|vortices)\.vtp|report\.csv|key|(spacetime|assimilation|assimilated)\.state(\.part\d+)?")
 _TEMPORARY = re.compile(r"\.waft-([0-9a-z]{4})([0-9a-z]{4})")
 _POSES = "poses.csv"
@@ -131,12 +131,15 @@ def discard(result):
     folder = pathlib.Path(result)
     for temporary in folder.glob(".waft-*"):
         match = _TEMPORARY.fullmatch(temporary.name)
-        if match and match[2] == _check_of(match[1]) and not temporary.is_symlink():
+        if match and match[2] == _check_of(match[1]) and not temporary.is_symlink() and not (temporary / "manifest.json").exists():
             shutil.rmtree(temporary, ignore_errors=True)
     checkpoint = folder / "checkpoint"
     for file in checkpoint.glob("*"):
         if _CHECKPOINT.fullmatch(file.name) and not file.is_dir():
             remove(file)
+    lock = folder / ".waft-lock"
+    if lock.is_file() and not lock.is_symlink() and not lock.stat().st_size:
+        remove(lock)
     for emptied in (checkpoint, folder):
         with contextlib.suppress(OSError):
             emptied.rmdir()

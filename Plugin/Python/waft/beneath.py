@@ -1,22 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is below a folder that may be a stranger's: it is reached from a descriptor of the folder, part by part, and no link is
-followed on the way. So neither a name that a file in the folder holds nor a link that lies in it leads out of it."""
+"""What is below a folder that may be a stranger's: the system opens it beneath a descriptor of the folder and follows no link on the
+way. So neither a name that a file in the folder holds nor a link that lies in it leads out of it."""
 import contextlib
+import ctypes
+import errno
 import os
 import pathlib
+import shutil
 import stat
+import struct
 import weakref
 
 from waft.failures import BadInput, shortened
-from waft.reading import (MOST, MOST_TEXT, blocks_of, content_of, found_in_words, json_of, kind_of, open_file, rows_of, steps_of,
-                          text_of)
+from waft.reading import LOOK, MOST, MOST_TEXT, blocks_of, content_of, found_in_words, json_of, kind_of, regular, rows_of, steps_of, text_of
 from waft.renaming import move_new
 
 _DEEPEST = 64  # folders, one in the other
 _LONGEST = 255  # bytes of a name
 _MOST_NAMES = 1 << 24  # bytes of a file that names others
-_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC
-_PART = os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
+_FOLDER = os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
+_OPENAT2, _RESOLVE = 437, 0x04 | 0x08  # RESOLVE_NO_SYMLINKS, RESOLVE_BENEATH
+_SYSTEM = ctypes.CDLL(None, use_errno=True)
+_NOT_KNOWN = (errno.ENOSYS, errno.EPERM)  # by an older system, or in a container
+_IN_WORDS = {errno.ELOOP: "it is a link, or below one", errno.ENOTDIR: "it, or what it is in, is no folder", errno.EISDIR: "it is a folder",
+             errno.ENXIO: "it is a socket", errno.EACCES: "it may not be opened"}
 
 
 def parts_of(name):
@@ -27,6 +34,21 @@ def parts_of(name):
             or any(len(part.encode("utf-8", "surrogateescape")) > _LONGEST for part in parts)):
         raise BadInput(f"{shortened(repr(name), 100)}: expected the name of a file below the folder")
     return parts
+
+
+def _opened(folder, parts, flags, mode):
+    """A descriptor of what has these parts as its name below a descriptor of a folder."""
+    how = struct.pack("QQQ", flags | os.O_NOFOLLOW | os.O_CLOEXEC, mode, _RESOLVE)
+    descriptor = _SYSTEM.syscall(_OPENAT2, folder, os.fsencode("/".join(parts)), how, len(how))
+    if descriptor >= 0:
+        return descriptor
+    if ctypes.get_errno() not in _NOT_KNOWN:
+        raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()), "/".join(parts))
+    with contextlib.ExitStack() as way:
+        for part in parts[:-1]:
+            folder = os.open(part, os.O_PATH | _FOLDER, dir_fd=folder)
+            way.callback(os.close, folder)
+        return os.open(parts[-1], flags | os.O_NOFOLLOW | os.O_CLOEXEC, mode, dir_fd=folder)
 
 
 class Folder:
@@ -40,50 +62,30 @@ class Folder:
             self.descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC) if descriptor is None else descriptor
         except (OSError, ValueError) as error:
             raise BadInput(f"{path}: {getattr(error, 'strerror', None) or error}; expected a folder") from error
-        self.close = weakref.finalize(self, os.close, self.descriptor)
+        weakref.finalize(self, os.close, self.descriptor)
 
-    @contextlib.contextmanager
-    def _in(self, parts):
-        """The descriptor of a folder below, for a while."""
-        descriptor = os.dup(self.descriptor)
+    def _open(self, name, flags, what="a folder", mode=0):
         try:
-            for number, part in enumerate(parts, 1):
-                descriptor = self._next(descriptor, part, parts[:number])
-            yield descriptor
-        finally:
-            os.close(descriptor)
+            return _opened(self.descriptor, parts_of(name), flags, mode)
+        except OSError as error:
+            if error.errno in _IN_WORDS:
+                raise BadInput(f"{self.path / name}: {_IN_WORDS[error.errno]}; expected {what}") from error
+            raise
 
     @contextlib.contextmanager
     def _at(self, name):
         """(descriptor of the folder that a name is in, the last part of the name)"""
         *above, last = parts_of(name)
-        with self._in(above) as descriptor:
-            yield descriptor, last
-
-    def _next(self, descriptor, part, way):
-        """The descriptor of a folder in one, which is closed."""
+        folder = self._open("/".join(above), os.O_PATH | os.O_DIRECTORY) if above else os.dup(self.descriptor)
         try:
-            inner = os.open(part, os.O_RDONLY | _PART, dir_fd=descriptor)
-        except NotADirectoryError as error:
-            about = os.stat(part, dir_fd=descriptor, follow_symlinks=False)
-            raise BadInput(f"{self.path.joinpath(*way)}: expected a folder, found {found_in_words(about)}") from error
-        except PermissionError as error:
-            raise BadInput(f"{self.path.joinpath(*way)}: expected a folder that may be read: {error.strerror}") from error
-        os.close(descriptor)
-        return inner
+            yield folder, last
+        finally:
+            os.close(folder)
 
     def below(self, name):
         """The Folder of a folder below it."""
-        *above, last = parts_of(name)
-        with self._in(above) as descriptor:
-            return Folder(self.path / name, self._next(os.dup(descriptor), last, parts_of(name)))
-
-    def is_still_there(self):
-        """Whether its path still leads to it."""
-        try:
-            return os.path.samestat(os.fstat(self.descriptor), os.stat(self.path))
-        except OSError:
-            return False
+        descriptor = self._open(name, os.O_RDONLY | os.O_DIRECTORY)
+        return Folder(self.path / name, descriptor)
 
     # What is there
 
@@ -115,12 +117,9 @@ class Folder:
 
     def names(self, name=None):
         """Names of what is in it, or in a folder below it; none where there is no such folder."""
-        if name is None:
-            return sorted(os.listdir(self.descriptor))
-        if not self.is_folder(name):
-            return []
-        with self._in(parts_of(name)) as folder:
-            return sorted(os.listdir(folder))
+        if name is not None:
+            return self.below(name).names() if self.is_folder(name) else []
+        return sorted(os.listdir(self.descriptor))
 
     def everything(self, name=None):
         """{name: os.stat_result} of all below it that is no folder, or below a folder in it."""
@@ -136,33 +135,25 @@ class Folder:
 
     # Reading
 
-    def open(self, name, what="a file"):
+    def _look(self, name, what):
         """A descriptor of a file, to be read."""
         try:
-            with self._at(name) as (folder, last):
-                return open_file(last, what, folder, self.path / name)
+            return regular(self._open(name, LOOK, what), self.path / name, what)
         except FileNotFoundError as error:
             raise BadInput(f"{self.path / name}: {error.strerror}; expected {what}") from error
 
     def stream(self, name):
         """A binary stream of a file."""
-        return os.fdopen(self.open(name), "rb")
+        return os.fdopen(self._look(name, "a file"), "rb")
 
     def bytes(self, name, most=MOST, what="a file"):
-        return content_of(self.open(name, what), self.path / name, most)
+        return content_of(self._look(name, what), self.path / name, most)
 
     def text(self, name, most=MOST_TEXT, what="a text"):
         return text_of(self.bytes(name, most, what), self.path / name, what)
 
     def json(self, name, what="a file of JSON"):
         return json_of(self.text(name, what=what), self.path / name)
-
-    def found_json(self, name):
-        """The same; None where there is none that can be read."""
-        try:
-            return self.json(name)
-        except BadInput:
-            return None
 
     def rows(self, name, what="a table"):
         return rows_of(self.text(name, what=what), self.path / name, what)
@@ -187,7 +178,7 @@ class Folder:
 
     def file(self, name, what="a file"):
         """The path of a file, for a library to open."""
-        os.close(self.open(name, what))
+        os.close(self._look(name, what))
         return str(self.path / name)
 
     def found(self, name):
@@ -196,24 +187,21 @@ class Folder:
 
     # Changing
 
-    def new_stream(self, name):
-        """A binary stream that writes a new file; raises FileExistsError where something has its name."""
-        with self._at(name) as (folder, last):
-            return os.fdopen(os.open(last, _NEW, 0o666, dir_fd=folder), "wb")
+    def own(self, name):
+        """A descriptor, to write, of an empty file that is made where nothing has its name; raises BadInput where something else has."""
+        descriptor = self._open(name, os.O_RDWR | os.O_CREAT | os.O_NONBLOCK, "an empty file, or none", 0o666)
+        about = os.fstat(descriptor)
+        if kind_of(about) or about.st_size:
+            os.close(descriptor)
+            raise BadInput(f"{self.path / name}: expected an empty file, or none, found {kind_of(about) or 'another'}")
+        return descriptor
 
     def make_folder(self, name):
         """A folder, and those that it is in, where they are not there yet."""
         parts = parts_of(name)
         for count in range(1, len(parts) + 1):
-            part = "/".join(parts[:count])
-            if not self.is_folder(part):
-                with self._at(part) as (folder, last):
-                    os.mkdir(last, dir_fd=folder)
-
-    def make_new_folder(self, name):
-        """A folder for this user alone; raises FileExistsError where something has its name."""
-        with self._at(name) as (folder, last):
-            os.mkdir(last, 0o700, dir_fd=folder)
+            with self._at("/".join(parts[:count])) as (folder, last), contextlib.suppress(FileExistsError):
+                os.mkdir(last, dir_fd=folder)
 
     def move(self, name, target, new_name, replaces=False):
         """Renames a file or folder to a name below another Folder; raises FileExistsError where something has it, unless that
@@ -231,29 +219,12 @@ class Folder:
 
     def remove_empty(self, name):
         """Removes a folder and those that it is in while they are empty."""
-        for part in (name, *map(str, list(pathlib.PurePosixPath(name).parents)[:-1])):
-            try:
+        with contextlib.suppress(OSError, BadInput):
+            for part in (name, *map(str, list(pathlib.PurePosixPath(name).parents)[:-1])):
                 with self._at(part) as (folder, last):
                     os.rmdir(last, dir_fd=folder)
-            except (OSError, BadInput):
-                return
 
     def remove_all(self, name):
-        """Removes a folder and what is in it, as far as the system lets it: a later call goes on with that. It takes a descriptor
-        for each level, and two."""
-        with contextlib.suppress(OSError, BadInput, RecursionError), self._at(name) as (folder, last):
-            _remove(folder, last)
-
-
-def _remove(folder, name):
-    with contextlib.suppress(IsADirectoryError, PermissionError):
-        os.unlink(name, dir_fd=folder)
-        return
-    inner = os.open(name, os.O_RDONLY | _PART, dir_fd=folder)
-    try:
-        for entry in os.listdir(inner):
-            with contextlib.suppress(OSError):
-                _remove(inner, entry)
-    finally:
-        os.close(inner)
-    os.rmdir(name, dir_fd=folder)
+        """Removes a folder in it and what is in that, as far as the system lets it; no link is followed."""
+        with contextlib.suppress(RecursionError):
+            shutil.rmtree(name, ignore_errors=True, dir_fd=self.descriptor)

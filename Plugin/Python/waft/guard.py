@@ -9,7 +9,6 @@ reports through a pipe, a line of JSON each (`[key, value]`: a name may hold any
 
     limit S         the time limit: S seconds from now
     words TEXT      what to say when it is ended; none: it has something to write and ends by itself
-    made FOLDER     it made this folder, which goes when it is empty; the innermost first
 
 Nothing here needs more than Python's own library, nor do the commands that do without ParaView, which are done here.
 """
@@ -44,7 +43,6 @@ class Reports:
         self._text = b""
         self.words = NOTHING_BEGUN
         self.deadline = None
-        self.made = []
 
     def read(self):
         with contextlib.suppress(BlockingIOError):
@@ -56,8 +54,6 @@ class Reports:
                 self.words = value
             elif key == "limit":
                 self.deadline = time.monotonic() + value
-            elif key == "made":
-                self.made.append(value)
 
 
 def watch(arguments):
@@ -88,10 +84,6 @@ def watch(arguments):
         if asked is not None and reports.words and now >= asked + GRACE:
             child.kill()
             child.wait()
-            reports.read()
-            for folder in reports.made:
-                with contextlib.suppress(OSError):
-                    os.rmdir(folder)
             clear_line()
             raise failures.Interrupted(reports.words)
     return child.returncode

@@ -2,7 +2,6 @@
 """Files that are read, with a look at them first. What this package reads goes through here, or through beneath.py: only regular
 files, nothing is waited for, no more than a bound; VTK's readers, which trust what they are given, come after Waft's own look."""
 import csv
-import errno
 import io
 import json
 import math
@@ -15,7 +14,7 @@ from waft.failures import BadInput
 
 MOST = 1 << 30  # bytes of a file that is read whole, unless its reader says less
 MOST_TEXT = 1 << 28  # of a scene, a table, a report
-_LOOK = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC  # a pipe without a writer is not waited for
+LOOK = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC  # a pipe without a writer is not waited for
 _KINDS = {stat.S_IFDIR: "a folder", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket", stat.S_IFCHR: "a device",
           stat.S_IFBLK: "a device", stat.S_IFLNK: "a link", stat.S_IFREG: "a file"}
 
@@ -30,21 +29,23 @@ def kind_of(about):
     return "" if stat.S_ISREG(about.st_mode) else found_in_words(about)
 
 
-def open_file(path, what="a file", folder=None, shown=None):
+def open_file(path, what="a file"):
     """A descriptor of a regular file, to be read; raises BadInput that names the file and what was found, as all here do. what:
-    is named as expected. folder: a descriptor that a bare name is in, of which no link is followed; shown: its whole path."""
-    shown = path if shown is None else shown
+    is named as expected."""
     try:
-        descriptor = os.open(path, _LOOK | (os.O_NOFOLLOW if folder is not None else 0), dir_fd=folder)
+        return regular(os.open(path, LOOK), path, what)
     except OSError as error:
-        found = "it is a link" if folder is not None and error.errno == errno.ELOOP else error.strerror
-        raise BadInput(f"{shown}: {found}; expected {what}") from error
+        raise BadInput(f"{path}: {error.strerror}; expected {what}") from error
     except ValueError as error:
-        raise BadInput(f"{shown!r}: {error}; expected {what}") from error
+        raise BadInput(f"{path!r}: {error}; expected {what}") from error
+
+
+def regular(descriptor, path, what):
+    """A descriptor of what a path leads to, which is closed unless that is a regular file."""
     found = kind_of(os.fstat(descriptor))
     if found:
         os.close(descriptor)
-        raise BadInput(f"{shown}: expected {what}, found {found}")
+        raise BadInput(f"{path}: expected {what}, found {found}")
     return descriptor
 
 

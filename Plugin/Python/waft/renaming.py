@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A rename that replaces nothing."""
+import contextlib
 import ctypes
 import errno
 import os
@@ -28,10 +29,9 @@ def _move_by_link(source, target, source_folder, target_folder):
     except FileExistsError:
         raise
     except OSError:  # of a folder, or where a file has one name alone
-        try:
+        with contextlib.suppress(FileNotFoundError):
             os.stat(target, dir_fd=target_folder, follow_symlinks=False)
-        except FileNotFoundError:
-            os.rename(source, target, src_dir_fd=source_folder, dst_dir_fd=target_folder)
-            return
-        raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(target)) from None
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(target)) from None
+        os.rename(source, target, src_dir_fd=source_folder, dst_dir_fd=target_folder)
+        return
     os.unlink(source, dir_fd=source_folder)

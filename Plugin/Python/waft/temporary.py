@@ -40,7 +40,7 @@ def temporary_file(folder):
     try:
         yield path, descriptor
     finally:
-        if _is_same(descriptor, path):
+        if is_same(descriptor, path):
             with contextlib.suppress(OSError):
                 os.unlink(path)
         os.close(descriptor)
@@ -56,12 +56,12 @@ def _new_file(folder):
             continue
         with contextlib.suppress(OSError):  # where nothing can be locked nothing is swept
             fcntl.flock(descriptor, fcntl.LOCK_EX)
-        if _is_same(descriptor, path):  # not taken for a dead one's before it was locked
+        if is_same(descriptor, path):  # not taken for a dead one's before it was locked
             return path, descriptor
         os.close(descriptor)
 
 
-def _is_same(descriptor, path):
+def is_same(descriptor, path):
     try:
         return os.path.samestat(os.fstat(descriptor), os.stat(path, follow_symlinks=False))
     except OSError:
@@ -71,18 +71,14 @@ def _is_same(descriptor, path):
 def sweep_files(folder):
     """Removes the temporary files that processes left in a folder when they died."""
     with contextlib.suppress(OSError):  # one that may be written in and not looked at
-        for name in filter(is_temporary, os.listdir(folder)):
+        for path in [os.path.join(folder, name) for name in os.listdir(folder) if is_temporary(name)]:
             with contextlib.suppress(OSError):
-                _sweep_file(os.path.join(folder, name))
+                if stat.S_ISREG(os.stat(path, follow_symlinks=False).st_mode):
+                    _sweep_file(path)
 
 
 def _sweep_file(path):
-    if not stat.S_ISREG(os.stat(path, follow_symlinks=False).st_mode):
-        return
-    descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        if _is_same(descriptor, path):
+    with open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as stream:
+        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if is_same(stream.fileno(), path):
             os.unlink(path)
-    finally:
-        os.close(descriptor)

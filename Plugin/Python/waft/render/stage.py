@@ -3,6 +3,7 @@
 
 import contextlib
 import os
+import time
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -26,6 +27,7 @@ from waft.results._folder import load
 
 Path = Union[str, "os.PathLike[str]"]
 _SEAL = "pictures.json"
+_PUT_EVERY = 2.0  # s of drawing after which pictures get their places
 _HIDDEN = 0.1  # share of the motion behind obstacles from which on one sees through them
 _GLASS = 0.22  # opacity of such obstacles
 _ANY_WINDOW = 4096  # pixels a side that every window can draw
@@ -257,14 +259,11 @@ def render(
                 "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
             )
         _check_size(size, samples, exposure)
-        try:
-            drawn = pictures(lambda: Stage(motion, size, samples, paths, targets, obstacle_opacity, style, exposure),
-                             [(view, frame, place.path(_picture(view, frame))) for frame in numbers for view in views],
-                             jobs, bool(makers))
-            with contextlib.closing(drawn):
-                written = _put(drawn, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
-        finally:
-            place.confirm()
+        drawn = pictures(lambda: Stage(motion, size, samples, paths, targets, obstacle_opacity, style, exposure),
+                         [(view, frame, place.path(_picture(view, frame))) for frame in numbers for view in views],
+                         jobs, bool(makers))
+        with contextlib.closing(drawn):
+            written = _put(drawn, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
     return [os.path.join(folder, name) for name in written]
 
 
@@ -276,26 +275,35 @@ def _picture(view, frame):
 
 
 def _put(drawn, place, numbers, movies, rate, progress):
-    """Puts pictures in their places as they are drawn, and movies ({view: {name: maker}}); returns the names of the files."""
+    """Puts pictures in their places soon after they are drawn, and movies ({view: {name: maker}}); returns the names of the files."""
     films = {name: make(place.path(name), rate) for own in movies.values() for name, make in own.items()}
-    written = []
+    written, waiting = [], []
+    due = time.monotonic() + _PUT_EVERY
+
+    def put():
+        written.extend(waiting)
+        names, waiting[:] = waiting[:], []
+        place.commit({}, names)
+
     try:
         for done, frame in enumerate(numbers):
             for view, own in movies.items():
                 picture = next(drawn)
-                name = _picture(view, frame)
-                place.put(name)
-                written.append(name)
+                waiting.append(_picture(view, frame))
                 for film in own:
                     films[film].add(picture)
+            if time.monotonic() > due:
+                put()
+                due = time.monotonic() + _PUT_EVERY
             if progress:
                 progress((done + 1) / len(numbers), f"frame {frame} drawn")
         for name in list(films):
             films[name].close()
             del films[name]
-            place.put(name)
-            written.append(name)
+            waiting.append(name)
     finally:
         for film in films.values():
             film.discard()
+        if waiting:
+            put()
     return written

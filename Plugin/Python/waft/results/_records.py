@@ -66,6 +66,12 @@ GLTF = _object("asset nodes animations accessors bufferViews buffers scenes",
 KEPT = _object("key objects", key=_TEXT, objects=_list(_object(
     "objectId rows met status cost branches seconds message", objectId=_COUNT, rows=_COUNT, met=_COUNT, status=_TEXT, cost={},
     branches=_COUNT, seconds=_SECONDS, message=_TEXT)))
+_NAME = {"type": "string", "minLength": 1, "maxLength": 4095}
+_DIGEST = {"type": "string", "description": "sha256: and 64 digits", "pattern": r"\Asha256:[0-9a-f]{64}\Z", "maxLength": 71}
+_ROWS = _list({**_object("name size digest", name=_NAME, size={"type": "integer", "minimum": 0, "maximum": 2 ** 63}, digest=_DIGEST),
+               "additionalProperties": False})
+SEALED = _object("manifest", manifest=_ROWS)
+CHANGE = {**_object("seal new old", seal=_NAME, new=_ROWS, old=_ROWS), "additionalProperties": False}
 
 
 def checked(value, schema, place):

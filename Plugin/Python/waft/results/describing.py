@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a folder of results holds, from its own records: `waft info DIR`. Nothing of it is changed."""
 import contextlib
-import fcntl
 
 from waft.failures import BadInput
 from waft.results._records import TOLD, record_of
-from waft.results.place import manifest_in
+from waft.results.place import is_at_work, manifest_in
 from waft.results.store import Store
 from waft.results.writing import REPORT, STATE, STATUS_ORDER, is_beyond_results, settled
 from waft.run.resuming import key_and_damage, stages_done
@@ -26,7 +25,7 @@ def describe_result(folder):
         raise BadInput(f"{folder}: expected a folder of results with its {REPORT}, or what a stopped run left, found neither")
     files = _files(below)
     own = [file for file in files if file["command"] == "synthesize"]
-    held = {**(_of_report(report) if report is not None else {}), "atWork": _is_locked(below), "goesOn": _goes_on(below, report, stages)}
+    held = {**(_of_report(report) if report is not None else {}), "atWork": is_at_work(below), "goesOn": _goes_on(below, report, stages)}
     return {"folder": str(folder), "finished": report is not None, **held,
             "whole": report is not None and all(file["state"] in ("whole", "cleaned") for file in own),
             "files": files, "bytes": sum(file["bytes"] for file in files)}
@@ -70,16 +69,6 @@ def _state(below, name, entry):
     if below.about(name) is None:
         return "cleaned" if is_beyond_results(name) else "missing"
     return "whole" if entry is None or entry.fits(below, name) else "changed"
-
-
-def _is_locked(below):
-    """Whether a run is at work there."""
-    try:
-        fcntl.flock(below.descriptor, fcntl.LOCK_SH | fcntl.LOCK_NB)
-    except OSError:
-        return True
-    fcntl.flock(below.descriptor, fcntl.LOCK_UN)
-    return False
 
 
 def _goes_on(below, report, stages):

@@ -10,7 +10,7 @@ from waft.beneath import Folder
 from waft.files import XmlSeries, copy_file, half, in_steps, table_rows, write_csv, write_pvd, write_rounded, write_xml
 from waft.loading import version
 from waft.reading import dynamics, found_json
-from waft.results.place import ResultPlace, settle
+from waft.results.place import ResultPlace
 from waft.results.store import Store
 from waft.run._chain import WITHOUT
 from waft.texts import is_utf8
@@ -43,10 +43,10 @@ def result_place(folder):
 
 
 def settled(folder):
-    """The Folder of finished results, to be read: where a change of them was cut short it is finished or undone first."""
+    """The Folder of finished results, to be read: where a change of them was cut short it is finished first."""
     if not os.path.isdir(folder):
         raise failures.BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
-    settle(result_place(folder))
+    result_place(folder).settle()
     return Folder(folder)
 
 

@@ -12,7 +12,7 @@ from waft.beneath import Folder
 from waft.files import table_rows, write_csv, write_xml
 from waft.loading import set_threads
 from waft.processes import share
-from waft.results import Busy, ResultPlace
+from waft.results.place import LOCK, ResultPlace
 from waft.watching import Clock, StageWatch
 
 
@@ -49,14 +49,8 @@ def database_place(path):
 
 
 def settle_database(path):
-    """Finishes or undoes a change of a database that was cut short, before it is read. Where another run is at work, that one
-    sees to it."""
-    if kept_folder(path).is_dir() and os.access(kept_folder(path), os.W_OK):
-        try:
-            with database_place(path):
-                pass
-        except Busy:
-            pass
+    """Finishes a change of a database that was cut short, before it is read."""
+    database_place(path).settle()
 
 
 def check_database(path):
@@ -70,7 +64,7 @@ def check_database(path):
 
 def _check_kept(kept):
     for name in kept.names():
-        if not (_KEPT.fullmatch(name) and kept.is_regular(kept.about(name))):
+        if name != LOCK and not (_KEPT.fullmatch(name) and kept.is_regular(kept.about(name))):
             raise failures.BadInput(f"{kept.path / name}: expected what a stopped run left, found something else: it stays as it is: "
                                     "move it away, or choose another name for the database")
 
@@ -96,7 +90,8 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
     if not str(path).endswith(".vtm"):
         raise failures.BadInput(f"{path}: expected a file name that ends with .vtm")
     path = pathlib.Path(path)
-    with database_place(path) as place:
+    # It looks whether to stop from its first step on, and knows whether a simulation is whole.
+    with Clock(time_limit, quiet, words="") as clock, database_place(path) as place:
         place.check([path.name, f"{path.stem}/", coverage_file(path).name])
         kept = place.folder.below(place.room.name)
         _check_kept(kept)
@@ -112,12 +107,9 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
         source.CoverageTolerance = coverage_tolerance
         source.KeptIn = str(place.room)
         share(source.GetClientSideObject())
-        with Clock(time_limit, quiet, "stopped before a simulation was whole") as clock:
-            watch = StageWatch("database", source, clock)
-            watch.can_stop = True
-            # From its first step on it looks whether to stop, and knows whether a simulation is whole.
-            source.GetClientSideObject().AddObserver("ProgressEvent", lambda *_: clock.keep())
-            source.UpdatePipeline()
+        watch = StageWatch("database", source, clock)
+        watch.can_stop = True
+        source.UpdatePipeline()
         if watch.errors:
             if "cannot write" in watch.errors[0]:
                 raise failures.WaftError(watch.errors[0])

@@ -5,6 +5,7 @@ import pathlib
 import re
 import stat
 
+from waft.beneath import Folder
 from waft.failures import BadInput
 from waft.files import copy_file, write_csv, write_json, write_xml
 from waft.loading import version
@@ -81,16 +82,16 @@ def stages_done(below):
 class Checkpoint:
     """The folder `checkpoint` in a run's output: the plan, and the states of the stages after it as they were last written.
 
-    place: the ResultPlace of the run. Raises BadInput when the folder holds what no run wrote.
+    place: the ResultPlace of the run, which begin() enters. Raises BadInput when the folder holds what no run wrote.
     """
 
     def __init__(self, place, key):
         self._place = place
-        self._below = place.folder
+        self._below = Folder(place.root) if place.root.is_dir() else None
         self._folder = place.root / _FOLDER
         self._key = key
         self.optimiser_file, self.assimilation_file, self.air_file = (self._folder / state for state in _STATES)
-        if self._below.about(_FOLDER) is not None and not self._is_own():
+        if self._below is not None and self._below.about(_FOLDER) is not None and not self._is_own():
             raise BadInput(f"{self._folder}: expected no such folder, or one that a stopped run left: it holds something else and "
                            "stays as it is: move it away, or choose another place for the results")
 
@@ -107,7 +108,7 @@ class Checkpoint:
 
     def lack(self):
         """What keeps a run from going on from here, in words; empty when nothing does."""
-        if not self._below.is_folder(_FOLDER):
+        if self._below is None or not self._below.is_folder(_FOLDER):
             return "no stopped run of this scene, seed and version"
         key, damage = key_and_damage(self._below)
         if key is not None and key != self._key:
@@ -124,19 +125,23 @@ class Checkpoint:
             return f"it cannot be read: {error}"
         return ""
 
+    def begin(self, pipeline, is_found):
+        """Now there is something to write, the plan at first, unless it was found here."""
+        self._place.__enter__()
+        self._below = self._place.folder
+        if not is_found:
+            self.keep_plan(pipeline)
+
     def keep_plan(self, pipeline):
         """Takes the place of whatever another run left."""
-        temporary = self._place.temporary()
-        folder = temporary / _FOLDER
-        folder.mkdir()
+        folder = self._place.apart(_FOLDER)
         for port, name in PLAN.items():
             write_xml(pipeline.planned(port), folder / name)
         header = list(pipeline.plan_report[0]) if pipeline.plan_report else []
         write_csv(folder / _REPORT, header, [list(row.values()) for row in pipeline.plan_report])
         write_json(folder / _KEY, {"key": self._key, "objects": pipeline.plan_objects, "manifest": manifest_rows(manifest_of(folder))})
         self.clear()
-        self._place.move_in(folder, _FOLDER)
-        self._place.discard(temporary)
+        self._place.put(_FOLDER)
 
     def take_plan(self, pipeline):
         pipeline.take_plan(*(self._below.file(f"{_FOLDER}/{name}") for name in PLAN.values()))

@@ -72,7 +72,9 @@ def _fly(request, scene_folder=None):
     check_scene_file(scene)
     set_threads(request.threads)
     with contextlib.ExitStack() as stack:
-        place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
+        place = result_place(output) if output is not None and is_first_rank() else None
+        if place is not None:
+            stack.push(place)  # entered when there is something to write: until then a stop leaves nothing
         pipeline = Pipeline(scene, request.database)
         stack.push(lambda error, *_: error and pipeline.delete())  # nobody else has a hold of its stages then
         # What a stage says once it is the caller's, of an input that he changed, is for him to read.
@@ -87,7 +89,7 @@ def _fly(request, scene_folder=None):
             key = run_key(pipeline, seed, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
             checkpoint = None
             if place is not None:
-                place.check(result_names(scene, request))
+                place.look(result_names(scene, request))
                 checkpoint = Checkpoint(place, key)
             resumes = request.resume and checkpoint is not None
             lack = checkpoint.lack() if resumes else ""
@@ -101,7 +103,7 @@ def _fly(request, scene_folder=None):
                 course = _Course(request, seed, edit_of, clock, checkpoint)
                 stopped_in = _run(pipeline, course, is_found=resumes and not lack)
             except failures.BadInput:
-                if checkpoint is not None:
+                if place is not None and place.folder is not None:
                     checkpoint.clear()
                 raise
             clock.check_progress()
@@ -199,8 +201,8 @@ def _run(pipeline, course, is_found):
         pipeline.plan_report = read_rows(pipeline.output("planner", 2))
         pipeline.plan_objects = planned_objects(pipeline)
     clock.keep()
-    if checkpoint is not None and not is_found:
-        checkpoint.keep_plan(pipeline)
+    if checkpoint is not None:
+        checkpoint.begin(pipeline, is_found)
 
     # After a stop no stage begins but the rotation: the motion so far is turned and written.
     stopped_in = "planner" if clock.should_stop() else ""

@@ -22,7 +22,7 @@ from waft import failures, loading
 from waft.beneath import Folder
 from waft.failures import BadInput, Interrupted, WaftError
 from waft.files import write_text
-from waft.reading import check_scene_file, json_of
+from waft.reading import check_scene_file, json_of, open_stream
 from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.results._records import FLOWN, MEASURED, TAKES, checked, record_of
 from waft.run._chain import word_in_keys
@@ -67,7 +67,7 @@ def fly_takes(scene, seeds, output, quality="full", jobs=1, threads=None, databa
             except Interrupted:
                 stopped = True
                 flight.stop()
-            statuses += [_take_in(folder, future.result(), log) for future in ended]
+            statuses += [_told(*future.result(), log) for future in ended]
     rows = [row for row in _rows(folder) if row["seed"] in seeds]
     return _status_of_all(stopped, statuses), rows
 
@@ -76,14 +76,16 @@ def take_name(seed):
     return f"take-{seed:04d}"
 
 
-def _take_in(folder, row, log):
-    """Puts a row in the table; returns its status, None of a take that was not begun."""
+def _told(row, is_flown, log):
+    """Says what a row holds; returns its status, None of a take that was not begun."""
     if row is None:
         return None
-    if row["status"] == failures.MALFORMED:  # nothing was computed: no row
+    if not is_flown:
+        log(f"{row['folder']}: there already")
+        return row["status"]
+    if row["status"] == failures.MALFORMED:
         log(f"{row['folder']}: {row['message']}")
         return row["status"]
-    _change_table(folder, [row])
     met = f", {row['met']} of {row['wishes']} constraints met" if {"met", "wishes"} <= row.keys() else ""
     log(f"{row['folder']}: {row['outcome']}{met}" + (f": {row['message']}" if row["message"] else ""))
     return row["status"]
@@ -111,7 +113,7 @@ class _Flight:
             raise BadInput(f"{database}: no such file")
         # What a scene lacks is for who flies it to say: there is no file, as there might be another.
         for file in [scene, *sorted(self._scene.files()), *([database] if database else [])]:
-            content.update((Entry.of(file).digest if os.path.isfile(file) else "none").encode())
+            content.update((Entry.of(open_stream(file)).digest if os.path.isfile(file) else "none").encode())
         self.key = content.hexdigest()  # takes of one key and seed are the same
         self._folder = folder
         self._arguments = ["--quality", quality, "--threads", str(threads)]
@@ -125,7 +127,23 @@ class _Flight:
             Folder(self._folder).found(f"{take_name(seed)}/report.json") is not None)
 
     def fly(self, seed):
-        """The row of a take; None when it was not begun, since others were refused or stopped."""
+        """The row of a take, which is in the table (None when it was not begun, since others were refused or stopped), and whether it was
+        flown here: where another process flies it that is waited for."""
+        with contextlib.ExitStack() as held:
+            try:
+                _enter(held, ResultPlace(self._folder, SEAL, room=f"{take_name(seed)}.flying"), lambda: self._ends)
+            except Busy:
+                return None, False
+            row = next((row for row in _rows(self._folder) if row["seed"] == seed), None)
+            if self.is_done(seed, row):
+                return row, False
+            row = self._fly(seed)
+            if row is not None and row["status"] != failures.MALFORMED:  # of which nothing was computed
+                _change_table(self._folder, [row])
+            return row, True
+
+    def _fly(self, seed):
+        """The row of a take; None when it was not begun."""
         place = self._folder.absolute() / take_name(seed)  # a name by itself may look like an option
         resume = ["--resume"] if (place / "checkpoint").is_dir() else []
         began = time.monotonic()
@@ -203,19 +221,26 @@ def _change_table(folder, rows):
     """Puts rows in the table, in place of those of the same seeds; without any only looks whether that could be done. Returns
     all."""
     end = time.monotonic() + PATIENCE
+    place = ResultPlace(folder, SEAL)
+    with contextlib.ExitStack() as held:
+        _enter(held, place, lambda: time.monotonic() > end)
+        place.check(TABLES)
+        every = {row["seed"]: row for row in (*_rows(folder), *rows)}
+        every = [every[seed] for seed in sorted(every)]
+        if rows:
+            write_text(place.path("takes.csv"), _as_csv(every))
+            write_text(place.path("takes.txt"), table(every))
+            place.commit({"takes": every})
+        return every
+
+
+def _enter(stack, place, gives_up):
+    """Enters a place that another process may hold for a while; raises Busy when it is given up."""
     while True:
         try:
-            with ResultPlace(folder, SEAL) as place:
-                place.check(TABLES)
-                every = {row["seed"]: row for row in (*_rows(folder), *rows)}
-                every = [every[seed] for seed in sorted(every)]
-                if rows:
-                    write_text(place.path("takes.csv"), _as_csv(every))
-                    write_text(place.path("takes.txt"), table(every))
-                    place.commit({"takes": every})
-                return every
+            return stack.enter_context(place)
         except Busy:
-            if time.monotonic() > end:
+            if gives_up():
                 raise
             time.sleep(0.1)
 
