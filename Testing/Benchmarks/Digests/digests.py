@@ -70,7 +70,7 @@ def main():
     parser.add_argument("first")
     parser.add_argument("second")
     parser.add_argument("scenes", nargs="*")
-    given = parser.parse_args()
+    given = parser.parse_intermixed_args()
     if given.compare:
         return compare(given.first, given.second)
     written = pathlib.Path(given.second)
