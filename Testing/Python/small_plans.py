@@ -5,7 +5,7 @@ import math
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-FRAMES = 20
+FRAMES = 40
 
 
 def with_scene(data):

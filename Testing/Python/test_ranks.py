@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-FRAMES = 20  # of small_plans.py
+FRAMES = 40  # of small_plans.py
 COARSE = {"Resolution": 16, "LatticeResolution": 16, "Candidates": 1, "Starts": 1, "Rounds": 1}
 
 # All there is of the plans comes to process 0.
