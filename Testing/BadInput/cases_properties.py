@@ -15,7 +15,7 @@ FOREIGN = ("ReferenceCount", "MemkindDirectory", "AbortExecute", "AbortOutput", 
            "UsingMemkind", "ContainerAlgorithm", "NoPriorTemporalAccessInformationKey")
 
 # What a number that is cut to the largest there may be makes a stage do, even if it is asked to stop.
-LONG_WORK = dict.fromkeys(("NumberOfGasParticles", "NumberOfTargets", "TextureSize"), {resource.RLIMIT_CPU: 120})
+LONG_WORK = dict.fromkeys(("NumberOfGasParticles", "NumberOfTargets"), {resource.RLIMIT_CPU: 120})
 
 
 def numbers_of(algorithm):

@@ -132,7 +132,7 @@ Outline Petal()
 // A pointed lobe about an angle: 1 at its tip, falling linearly.
 double Lobe(double angle, double center, double halfAngle)
 {
-  return std::max(0.0, 1.0 - std::abs(std::remainder(angle - center, 2.0 * M_PI)) / halfAngle);
+  return std::max(0.0, 1.0 - std::abs(SmallestAngle(angle - center)) / halfAngle);
 }
 
 // Five lobes about the point where the stem ends, with teeth. The tip of the middle one is at x =
@@ -154,7 +154,7 @@ Outline Maple(const LeafForm& form)
   outline.Radius = [ribs = outline.Ribs, between, lobing = form.Lobing](double angle)
   {
     // The blade between the lobes; a notch where the stem comes in.
-    const double back = std::abs(std::remainder(angle - M_PI, 2.0 * M_PI));
+    const double back = std::abs(SmallestAngle(angle - M_PI));
     double radius = between + 0.02 - 0.12 * std::max(0.0, 1.0 - back / 0.8);
     for (const Outline::Rib& rib : ribs)
     {
@@ -187,6 +187,11 @@ Outline Down()
 
 } // namespace
 
+double SmallestAngle(double angle)
+{
+  return angle > M_PI ? angle - 2.0 * M_PI : angle < -M_PI ? angle + 2.0 * M_PI : angle;
+}
+
 void Outline::PointAt(const OutlineCoordinates& at, double& x, double& y) const
 {
   if (this->Type == Kind::Star)
@@ -203,20 +208,33 @@ void Outline::PointAt(const OutlineCoordinates& at, double& x, double& y) const
 
 OutlineCoordinates Outline::CoordinatesOf(double x, double stretched) const
 {
-  const double y = stretched / this->Width;
-  OutlineCoordinates at;
   if (this->Type == Kind::Star)
   {
+    const double y = stretched / this->Width;
+    OutlineCoordinates at;
     at.Along = std::atan2(y, x - this->CenterX);
     at.Across = std::hypot(x - this->CenterX, y) / this->Radius(at.Along);
     return at;
   }
-  at.Along = (x - this->BladeStart) / (this->BladeEnd - this->BladeStart);
-  const double s = std::clamp(at.Along, 0.0, 1.0);
-  const double off = y - this->Middle(s);
-  const double width = off > 0.0 ? this->Left(s) : this->Right(s);
-  at.Across = off / std::max(width, 1e-9);
-  return at;
+  return this->CoordinatesOf(this->StationAt(x), stretched);
+}
+
+OutlineStation Outline::StationAt(double x) const
+{
+  OutlineStation station;
+  station.Along = (x - this->BladeStart) / (this->BladeEnd - this->BladeStart);
+  const double s = std::clamp(station.Along, 0.0, 1.0);
+  station.Middle = this->Middle(s);
+  station.Left = this->Left(s);
+  station.Right = this->Right(s);
+  return station;
+}
+
+OutlineCoordinates Outline::CoordinatesOf(const OutlineStation& station, double stretched) const
+{
+  const double off = stretched / this->Width - station.Middle;
+  const double width = off > 0.0 ? station.Left : station.Right;
+  return { station.Along, off / std::max(width, 1e-9) };
 }
 
 void Outline::StemAt(double s, double& x, double& y) const

@@ -20,6 +20,17 @@ struct OutlineCoordinates
   double Across = 0.0; // -1 right edge, 0 middle, 1 left edge (strip); 0 centre, 1 edge (star)
 };
 
+/// A strip at an x.
+struct OutlineStation
+{
+  double Along = 0.0;
+  double Middle = 0.0;
+  double Left = 0.0, Right = 0.0; // half widths
+};
+
+/// From -pi to pi, as std::remainder has it of angles up to three times that, and sooner.
+double SmallestAngle(double angle);
+
 /// A strip has a middle line along x and two half widths; a star has a centre and a radius for each
 /// angle. Either may have a stem.
 struct Outline
@@ -63,6 +74,9 @@ struct Outline
   void PointAt(const OutlineCoordinates& at, double& x, double& y) const;
   /// The coordinates of a point; |Across| > 1 outside.
   OutlineCoordinates CoordinatesOf(double x, double y) const;
+  /// The same of a strip, for many points at one x.
+  OutlineStation StationAt(double x) const;
+  OutlineCoordinates CoordinatesOf(const OutlineStation& station, double y) const;
   /// The stem's middle line, from its end (0) to the blade (1).
   void StemAt(double s, double& x, double& y) const;
   /// x of the point where the stem ends in the blade.

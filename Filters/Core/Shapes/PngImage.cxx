@@ -56,7 +56,7 @@ std::string EncodePng(const std::vector<std::uint8_t>& pixels, int width, int he
   }
   std::vector<std::uint8_t> packed(compressBound(rows.size()));
   uLongf size = packed.size();
-  compress2(packed.data(), &size, rows.data(), rows.size(), 9);
+  compress2(packed.data(), &size, rows.data(), rows.size(), 6);
   packed.resize(size);
   std::vector<std::uint8_t> png = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
   std::vector<std::uint8_t> header;

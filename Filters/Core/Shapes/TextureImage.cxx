@@ -36,6 +36,21 @@ Color Scale(const Color& a, double s)
 class Noise
 {
 public:
+  /// Where a coordinate is between two lines of the lattice.
+  struct Place
+  {
+    long Line = 0;
+    double Beyond = 0.0; // smoothly from 0 to 1
+    Place() = default;
+    explicit Place(double x)
+    {
+      const double floor = std::floor(x);
+      this->Line = static_cast<long>(floor);
+      this->Beyond = Smooth(0.0, 1.0, x - floor);
+    }
+  };
+  using Places = std::array<Place, 5>; // of one coordinate, octave by octave
+
   explicit Noise(std::uint64_t seed)
   {
     Random random(seed, 7);
@@ -44,35 +59,42 @@ public:
       value = random.Uniform(-1.0, 1.0);
     }
   }
-  double At(double x, double y) const
+  double At(const Place& x, const Place& y) const
   {
-    const double fx = std::floor(x);
-    const double fy = std::floor(y);
-    const double u = Smooth(0.0, 1.0, x - fx);
-    const double v = Smooth(0.0, 1.0, y - fy);
-    const auto i = static_cast<long>(fx);
-    const auto j = static_cast<long>(fy);
-    const double low = this->Value(i, j) + u * (this->Value(i + 1, j) - this->Value(i, j));
+    const double low = this->Value(x.Line, y.Line) +
+                       x.Beyond * (this->Value(x.Line + 1, y.Line) - this->Value(x.Line, y.Line));
     const double high =
-      this->Value(i, j + 1) + u * (this->Value(i + 1, j + 1) - this->Value(i, j + 1));
-    return low + v * (high - low);
+      this->Value(x.Line, y.Line + 1) +
+      x.Beyond * (this->Value(x.Line + 1, y.Line + 1) - this->Value(x.Line, y.Line + 1));
+    return low + y.Beyond * (high - low);
   }
-  double Octaves(double x, double y, int count) const
+  double At(double x, double y) const { return this->At(Place(x), Place(y)); }
+  double Octaves(const Places& x, const Places& y, std::size_t count) const
   {
     double sum = 0.0;
     double weight = 0.5;
-    for (int octave = 0; octave < count; ++octave)
+    for (std::size_t octave = 0; octave < count; ++octave)
     {
-      sum += weight * this->At(x + 17.3 * octave, y - 9.1 * octave);
-      x *= 2.0;
-      y *= 2.0;
+      sum += weight * this->At(x[octave], y[octave]);
       weight *= 0.5;
     }
     return sum;
   }
+  static Places Along(double x, std::size_t count) { return PlacesOf(x, 17.3, count); }
+  static Places Across(double y, std::size_t count) { return PlacesOf(y, -9.1, count); }
 
 private:
   static constexpr int Side = 64;
+  static Places PlacesOf(double at, double shift, std::size_t count)
+  {
+    Places places;
+    for (std::size_t octave = 0; octave < count; ++octave)
+    {
+      places[octave] = Place(at + shift * static_cast<double>(octave));
+      at *= 2.0;
+    }
+    return places;
+  }
   double Value(long i, long j) const
   {
     return this->Values[static_cast<std::size_t>((i & (Side - 1)) + Side * (j & (Side - 1)))];
@@ -92,21 +114,108 @@ double ToInteger(double x)
   return x - std::round(x);
 }
 
+/// The noises that a skin has along its own axes.
+struct Grains
+{
+  double AlongScale, AcrossScale;
+  std::size_t Octaves;
+};
+constexpr Grains LeafBlotches{ 7.0, 7.0, 5 }, LeafGrain{ 24.0, 24.0, 3 };
+constexpr Grains FeatherBands{ 14.0, 22.0, 3 }, DownBend{ 3.0, 3.0, 1 },
+  PetalGrain{ 12.0, 12.0, 4 };
+constexpr Grains NoGrain{ 0.0, 0.0, 0 };
+
+/// The coarser noise of a skin, and the finer one.
+std::array<Grains, 2> GrainsOf(Outline::Skin skin)
+{
+  switch (skin)
+  {
+    case Outline::Skin::Feather:
+      return { FeatherBands, NoGrain };
+    case Outline::Skin::Down:
+      return { DownBend, NoGrain };
+    case Outline::Skin::Petal:
+      return { PetalGrain, NoGrain };
+    case Outline::Skin::Leaf:
+      break;
+  }
+  return { LeafBlotches, LeafGrain };
+}
+
+/// What all samples of a column have in common, and all of a row: most of what they cost.
+struct Column
+{
+  double X = 0.0;
+  OutlineStation Station;
+  double S = 0.0; // along the blade, from 0 to 1
+  Noise::Places Coarse, Fine;
+};
+struct Row
+{
+  double Y = 0.0;
+  Noise::Places Coarse, Fine;
+};
+
 struct Painter
 {
   const SkinOptions& Options;
   const Outline Plan;
   const Noise Grain;
+  const std::array<Grains, 2> Kinds = GrainsOf(Plan.Paint);
+
+  Column ColumnAt(double x) const
+  {
+    Column column;
+    column.X = x;
+    if (this->Plan.Type == Outline::Kind::Strip)
+    {
+      column.Station = this->Plan.StationAt(x);
+      column.S = std::clamp(column.Station.Along, 0.0, 1.0);
+    }
+    column.Coarse = Noise::Along(this->Kinds[0].AlongScale * x, this->Kinds[0].Octaves);
+    column.Fine = Noise::Along(this->Kinds[1].AlongScale * x, this->Kinds[1].Octaves);
+    return column;
+  }
+
+  /// y in the plan as it is stretched; the skins are painted before the stretch.
+  Row RowAt(double stretched) const
+  {
+    Row row;
+    row.Y = stretched / this->Plan.Width;
+    row.Coarse = Noise::Across(this->Kinds[0].AcrossScale * row.Y, this->Kinds[0].Octaves);
+    row.Fine = Noise::Across(this->Kinds[1].AcrossScale * row.Y, this->Kinds[1].Octaves);
+    return row;
+  }
+
+  double Coarse(const Column& column, const Row& row) const
+  {
+    return this->Grain.Octaves(column.Coarse, row.Coarse, this->Kinds[0].Octaves);
+  }
+  double Fine(const Column& column, const Row& row) const
+  {
+    return this->Grain.Octaves(column.Fine, row.Fine, this->Kinds[1].Octaves);
+  }
+
+  OutlineCoordinates CoordinatesOf(const Column& column, const Row& row) const
+  {
+    const double stretched = this->Plan.Width * row.Y;
+    return this->Plan.Type == Outline::Kind::Strip
+             ? this->Plan.CoordinatesOf(column.Station, stretched)
+             : this->Plan.CoordinatesOf(column.X, stretched);
+  }
 
   // How strongly a vein shows at a point of a strip: rib, side veins that bend towards the tip,
   // and a net between them.
-  double StripVeins(double s, double t, double y) const
+  double StripVeins(double s, double t, double off) const
   {
     const double across = std::abs(t);
-    const double rib = Line(y - this->Plan.Middle(s), 0.009 * (1.15 - s));
-    const double lead = s - 0.20 * std::pow(across, 1.4) + (t > 0.0 ? 0.0 : 0.03);
-    const double side = Line(ToInteger(11.0 * lead) / 11.0, 0.0042 * (1.2 - 0.7 * across)) *
-                        Smooth(1.05, 0.7, across);
+    const double rib = Line(off, 0.009 * (1.15 - s));
+    double side = Smooth(1.05, 0.7, across);
+    if (side > 0.0)
+    {
+      const double lead = s - 0.20 * std::pow(across, 1.4) + (t > 0.0 ? 0.0 : 0.03);
+      side *= Line(ToInteger(11.0 * lead) / 11.0, 0.0042 * (1.2 - 0.7 * across));
+    }
     const double net =
       0.30 * Line(ToInteger(55.0 * (s + 0.5 * across)) / 55.0, 0.003) * Smooth(0.02, 0.2, across);
     return std::max({ rib, 0.8 * side, net });
@@ -118,11 +227,11 @@ struct Painter
     double veins = 0.0;
     for (const Outline::Rib& rib : this->Plan.Ribs)
     {
-      const double off = std::remainder(angle - rib.Angle, 2.0 * M_PI);
-      const double along = r * std::cos(off);
-      const double away = r * std::sin(off);
-      if (along > 0.0 && std::abs(off) < 0.43)
+      const double off = SmallestAngle(angle - rib.Angle);
+      if (r > 0.0 && std::abs(off) < 0.43)
       {
+        const double along = r * std::cos(off);
+        const double away = r * std::sin(off);
         veins = std::max(veins, Line(away, 0.008 * (1.2 - 1.5 * r)));
         const double lead = along - 0.9 * std::abs(away);
         veins = std::max(veins, 0.6 * Line(ToInteger(14.0 * lead) / 14.0, 0.004));
@@ -131,37 +240,38 @@ struct Painter
     return veins;
   }
 
-  Color LeafColor(double across, double veins, double x, double y) const
+  Color LeafColor(double across, double veins, const Column& column, const Row& row) const
   {
-    const double blotch = this->Grain.Octaves(7.0 * x, 7.0 * y, 5);
+    const double blotch = this->Coarse(column, row);
     const double edge = Smooth(0.45, 1.05, across + 0.5 * blotch);
     const double spots = this->Options.Blotches * Smooth(0.05, 0.45, blotch);
     Color color = Mix(this->Options.BaseColor, this->Options.EdgeColor,
                       std::clamp(0.8 * edge + spots, 0.0, 1.0));
-    color = Scale(color, 1.0 + 0.22 * this->Grain.Octaves(24.0 * x, 24.0 * y, 3));
+    color = Scale(color, 1.0 + 0.22 * this->Fine(column, row));
     return Mix(color, this->Options.VeinColor, 0.75 * veins);
   }
 
-  void Leaf(double x, double y, Color& color, double& alpha) const
+  void Leaf(const Column& column, const Row& row, Color& color, double& alpha) const
   {
-    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
+    const OutlineCoordinates at = this->CoordinatesOf(column, row);
     if (this->Plan.Type == Outline::Kind::Star)
     {
-      const double r = std::hypot(x - this->Plan.CenterX, y);
-      color = this->LeafColor(at.Across, this->StarVeins(at.Along, r), x, y);
+      const double r = std::hypot(column.X - this->Plan.CenterX, row.Y);
+      color = this->LeafColor(at.Across, this->StarVeins(at.Along, r), column, row);
       alpha = at.Across < 1.03 ? 1.0 : 0.0;
     }
     else
     {
-      const double s = std::clamp(at.Along, 0.0, 1.0);
-      color = this->LeafColor(std::abs(at.Across), this->StripVeins(s, at.Across, y), x, y);
+      const double s = column.S;
+      const double veins = this->StripVeins(s, at.Across, row.Y - column.Station.Middle);
+      color = this->LeafColor(std::abs(at.Across), veins, column, row);
       // Teeth: the edge runs back a little and jumps out again.
       const double phase = 26.0 * s;
       const double tooth = this->Plan.Teeth * (phase - std::floor(phase));
       const bool inside = at.Along > -0.01 && at.Along < 1.01;
       alpha = inside && std::abs(at.Across) < 1.02 - tooth ? 1.0 : 0.0;
     }
-    this->Stem(x, y, color, alpha);
+    this->Stem(column.X, row.Y, color, alpha);
   }
 
   // Whatever lies before the blade is stem.
@@ -184,19 +294,20 @@ struct Painter
     }
   }
 
-  void Feather(double x, double y, Color& color, double& alpha) const
+  void Feather(const Column& column, const Row& row, Color& color, double& alpha) const
   {
-    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
-    const double s = std::clamp(at.Along, 0.0, 1.0);
+    const OutlineCoordinates at = this->CoordinatesOf(column, row);
+    const double s = column.S;
     const double across = std::abs(at.Across);
-    const double off = y - this->Plan.Middle(s);
+    const double off = row.Y - column.Station.Middle;
     // Barbs leave the shaft forwards; clumps of them part at the splits.
     const double barb = s - 0.9 * std::abs(off) * (1.0 + 0.6 * across);
     const double fine = 0.5 + 0.5 * std::cos(2.0 * M_PI * 150.0 * barb);
-    const double clumps = this->Grain.Octaves(60.0 * barb, off > 0.0 ? 3.0 : 8.0, 2);
+    const double clumps =
+      this->Grain.Octaves(Noise::Along(60.0 * barb, 2), Noise::Across(off > 0.0 ? 3.0 : 8.0, 2), 2);
     const double bands = Smooth(-0.1, 0.35,
                                 std::sin(2.0 * M_PI * (5.2 * (s - 0.3 * std::abs(off)) + 0.2)) +
-                                  0.8 * this->Grain.Octaves(14.0 * x, 22.0 * y, 3));
+                                  0.8 * this->Coarse(column, row));
     color = Mix(this->Options.BaseColor, this->Options.EdgeColor,
                 this->Options.Blotches * bands * Smooth(0.10, 0.35, s));
     color = Mix(color, { 0.97, 0.96, 0.94 }, 0.7 * Smooth(0.16, 0.02, s));
@@ -233,13 +344,13 @@ struct Painter
     {
       alpha = 1.0;
     }
-    this->Stem(x, y, color, alpha);
+    this->Stem(column.X, row.Y, color, alpha);
   }
 
-  void Down(double x, double y, Color& color, double& alpha) const
+  void Down(const Column& column, const Row& row, Color& color, double& alpha) const
   {
-    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
-    const double bend = at.Along + 0.6 * this->Grain.At(3.0 * x, 3.0 * y);
+    const OutlineCoordinates at = this->CoordinatesOf(column, row);
+    const double bend = at.Along + 0.6 * this->Grain.At(column.Coarse[0], row.Coarse[0]);
     const double wisps = this->Grain.At(14.0 * bend, 2.0 * at.Across) +
                          0.7 * this->Grain.At(37.0 * bend, 3.0 * at.Across);
     color = Scale(
@@ -248,35 +359,33 @@ struct Painter
     alpha = at.Across < 1.0 && wisps > 1.9 * at.Across - 1.35 ? 1.0 : 0.0;
   }
 
-  void Petal(double x, double y, Color& color, double& alpha) const
+  void Petal(const Column& column, const Row& row, Color& color, double& alpha) const
   {
-    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
-    const double s = std::clamp(at.Along, 0.0, 1.0);
+    const OutlineCoordinates at = this->CoordinatesOf(column, row);
+    const double s = column.S;
     const double lines = 0.5 + 0.5 * std::cos(60.0 * at.Across);
     color = Mix(this->Options.EdgeColor, this->Options.BaseColor, Smooth(0.0, 0.75, s));
     color = Mix(color, this->Options.VeinColor, 0.12 * lines * (1.0 - 0.6 * s));
-    color = Scale(color, 1.0 + 0.10 * this->Grain.Octaves(12.0 * x, 12.0 * y, 4));
-    const double notch = 0.06 * std::exp(-(y / 0.05) * (y / 0.05));
+    color = Scale(color, 1.0 + 0.10 * this->Coarse(column, row));
+    const double notch = 0.06 * std::exp(-(row.Y / 0.05) * (row.Y / 0.05));
     alpha = s < 1.0 - notch && std::abs(at.Across) < 1.02 ? 1.0 : 0.0;
   }
 
-  /// x, y in the plan as it is stretched; the skins are painted before the stretch.
-  void Paint(double x, double stretched, Color& color, double& alpha) const
+  void Paint(const Column& column, const Row& row, Color& color, double& alpha) const
   {
-    const double y = stretched / this->Plan.Width;
     switch (this->Plan.Paint)
     {
       case Outline::Skin::Feather:
-        this->Feather(x, y, color, alpha);
+        this->Feather(column, row, color, alpha);
         break;
       case Outline::Skin::Down:
-        this->Down(x, y, color, alpha);
+        this->Down(column, row, color, alpha);
         break;
       case Outline::Skin::Petal:
-        this->Petal(x, y, color, alpha);
+        this->Petal(column, row, color, alpha);
         break;
       case Outline::Skin::Leaf:
-        this->Leaf(x, y, color, alpha);
+        this->Leaf(column, row, color, alpha);
         break;
     }
   }
@@ -311,19 +420,30 @@ Result PaintTexture(const Outline& outline, const SkinOptions& options, int heig
   const Painter painter{ options, outline, Noise(options.Seed) };
   pixels.assign(4 * static_cast<std::size_t>(options.TextureSize) * height, 0);
   constexpr int fine = 3; // samples a side of a pixel
+  const auto sample = [](int pixel, int part, int count)
+  { return (pixel + (part + 0.5) / fine) / count; };
+  std::vector<Column> columns;
+  for (int i = 0; i < fine * options.TextureSize; ++i)
+  {
+    const double u = sample(i / fine, i % fine, options.TextureSize);
+    columns.push_back(painter.ColumnAt(box.X0 + u * (box.X1 - box.X0)));
+  }
+  std::array<Row, fine> rows;
   for (int j = 0; j < height; ++j)
   {
+    for (int part = 0; part < fine; ++part)
+    {
+      rows[part] = painter.RowAt(box.Y0 + sample(j, part, height) * (box.Y1 - box.Y0));
+    }
     for (int i = 0; i < options.TextureSize; ++i)
     {
       Color sum{ 0.0, 0.0, 0.0 };
       double cover = 0.0;
       for (int k = 0; k < fine * fine; ++k)
       {
-        const double u = (i + (k % fine + 0.5) / fine) / options.TextureSize;
-        const double v = (j + (k / fine + 0.5) / fine) / height;
         Color color{};
         double alpha = 0.0;
-        painter.Paint(box.X0 + u * (box.X1 - box.X0), box.Y0 + v * (box.Y1 - box.Y0), color, alpha);
+        painter.Paint(columns[fine * i + k % fine], rows[k / fine], color, alpha);
         cover += alpha;
         for (int c = 0; c < 3; ++c)
         {
