@@ -221,7 +221,7 @@ class Pictures(Base):
         self.draw("first", *self.NAMES)
         self.draw("second", self.NAMES[1])
         self.assertEqual(["first", "second"], list(self.texts().values()))
-        self.assertEqual({*self.NAMES, }, set(manifest_in(Folder(self.out), "pictures.json")))
+        self.assertEqual(set(self.NAMES), set(manifest_in(Folder(self.out), "pictures.json")))
         self.put(self.NAMES[0], "retouched")
         self.draw("third", self.NAMES[1])
         with self.assertRaisesRegex(BadInput, "side_0000.png: it was changed"):
@@ -230,6 +230,9 @@ class Pictures(Base):
         self.put("frames/side_0002.png")
         with self.assertRaisesRegex(BadInput, "side_0002.png: no run"):
             self.draw("third", "frames/side_0002.png")
+        (self.out / self.NAMES[0]).unlink()
+        self.draw("fourth", self.NAMES[1])
+        self.assertEqual({self.NAMES[1]}, set(manifest_in(Folder(self.out), "pictures.json")))
 
     def test_what_was_put_in_before_a_kill_is_known(self):
         self.draw("first", *self.NAMES)
@@ -507,6 +510,19 @@ class CutShort(Base):
         (self.out / "shapes.vtm").unlink()
         self.put_right()
         self.assertEqual({"new"}, set(self.texts().values()))
+
+    def test_what_takes_the_place_of_the_seal_stays(self):
+        self.write("old")
+        remove = Folder.remove
+
+        def removing(folder, name):
+            remove(folder, name)
+            if name == "report.json":
+                self.put(name)
+
+        with mock.patch.object(Folder, "remove", removing), self.assertRaises(FileExistsError):
+            self.write("new")
+        self.assertEqual("mine", (self.out / "report.json").read_text(encoding="utf-8"))
 
     def test_a_staged_file_that_was_damaged_is_named(self):
         self.write("old")
