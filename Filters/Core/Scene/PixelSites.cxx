@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace waft
@@ -22,6 +24,45 @@ std::uint64_t MortonCode(const Vec3& p)
     code |= ((x >> bit & 1u) << (2 * bit)) | ((y >> bit & 1u) << (2 * bit + 1));
   }
   return code;
+}
+
+std::vector<std::size_t> OrderByX(const std::vector<Vec3>& sites)
+{
+  std::vector<std::size_t> order(sites.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return sites[a].x() < sites[b].x(); });
+  return order;
+}
+
+/// The first of the sites that are nearest to a point: looked for to either side, until x alone is
+/// farther.
+std::size_t NearestOf(const std::vector<Vec3>& sites, const std::vector<std::size_t>& byX,
+                      const Vec3& point)
+{
+  std::size_t nearest = 0;
+  double least = 1e300;
+  const auto mayBeNearer = [&](std::size_t site)
+  {
+    const double d = (sites[site] - point).squaredNorm();
+    if (d < least || (d == least && site < nearest))
+    {
+      least = d;
+      nearest = site;
+    }
+    const double along = sites[site].x() - point.x();
+    return along * along <= least;
+  };
+  const auto right =
+    std::lower_bound(byX.begin(), byX.end(), point.x(),
+                     [&](std::size_t site, double x) { return sites[site].x() < x; });
+  for (auto site = right; site != byX.end() && mayBeNearer(*site); ++site)
+  {
+  }
+  for (auto site = right; site != byX.begin() && mayBeNearer(*std::prev(site)); --site)
+  {
+  }
+  return nearest;
 }
 
 } // namespace
@@ -63,19 +104,10 @@ void RelaxInArea(const WeightedPixels& pixels, std::vector<Vec3>& sites)
   {
     std::vector<Vec3> moments(sites.size(), Vec3::Zero());
     std::vector<double> weights(sites.size(), 0.0);
+    const std::vector<std::size_t> byX = OrderByX(sites);
     for (std::size_t i = 0; i < pixels.Points.size(); ++i)
     {
-      std::size_t nearest = 0;
-      double least = 1e300;
-      for (std::size_t s = 0; s < sites.size(); ++s)
-      {
-        const double d = (sites[s] - pixels.Points[i]).squaredNorm();
-        if (d < least)
-        {
-          least = d;
-          nearest = s;
-        }
-      }
+      const std::size_t nearest = NearestOf(sites, byX, pixels.Points[i]);
       const double weight = pixels.Weights[i] * pixels.Weights[i];
       moments[nearest] += weight * pixels.Points[i];
       weights[nearest] += weight;
