@@ -91,10 +91,10 @@ class WidgetTest(WindowTest):
 
     def test_a_scene_from_nothing_flies_after_few_clicks(self):
         with tempfile.TemporaryDirectory() as folder:
-            status, printed, notes = play("byhand.xml", pathlib.Path(folder), "watch_byhand.py", frames=110)
+            status, printed, notes = play("byhand.xml", pathlib.Path(folder), "watch_byhand.py")
         self.check_run(status, printed)
         last, flight = notes[-1], notes[-1]["flight"]
-        self.assertEqual((flight["bodies"], flight["frames"], flight["statuses"]), (5, 110, 5 * ["met"]))
+        self.assertEqual((flight["bodies"], flight["frames"], flight["statuses"]), (5, 300, 5 * ["met"]))
         self.assertGreater(flight["triangles"], 5 * 100, "leaves with meshes")
         for start, half, end in zip(flight["starts"], flight["half"], flight["ends"]):
             self.assertEqual(start[2], 3)
@@ -152,13 +152,16 @@ class WidgetTest(WindowTest):
             self.assertAlmostEqual(place[axis], dragged[axis], places=5)
 
     def test_vortices_winds_and_boxes_have_handles(self):
-        vortex = [note for note in self.of("VortexSource") if note["points"]][-1]
+        with tempfile.TemporaryDirectory() as folder:
+            status, printed, notes = play("forces.xml", pathlib.Path(folder))
+        self.check_run(status, printed)
+        vortex = [note for note in notes if note["source"] == "VortexSource" and note["points"]][-1]
         self.assertEqual(self.shown(vortex), ["LineSourceWidgetRepresentation"])
         self.assertEqual(vortex["points"], [[-1.25, 0, 0.5], [0, 0, 3.5]], "typed into the panel, applied")
-        wind = [note for note in self.of("WindSource") if note["points"]][-1]
+        wind = [note for note in notes if note["source"] == "WindSource" and note["points"]][-1]
         self.assertIn("SphereWidgetRepresentation", self.shown(wind))
         self.assertEqual(len(wind["points"]), 17 ** 3)
-        box = [note for note in self.of("ObstacleSource") if note["points"]][-1]
+        box = [note for note in notes if note["source"] == "ObstacleSource" and note["points"]][-1]
         self.assertEqual(self.shown(box), ["BoxWidgetRepresentation"])
         self.assertEqual([min(box["points"]), max(box["points"])], [[-1.25, -0.5, 0], [-0.25, 0.5, 2]])
 
