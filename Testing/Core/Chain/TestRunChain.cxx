@@ -78,6 +78,26 @@ private:
 
 } // namespace
 
+TEST(RunChain, FliesTheFewestFramesThatAQualityTakes)
+{
+  for (const auto& [quality, frames] : { std::pair(Quality::Preview, 2), { Quality::Full, 3 } })
+  {
+    Flight flight;
+    flight.TheScene.Info.Time.NumberOfFrames = frames;
+    flight.TheScene.Constraints.clear();
+    const Result result = flight.Run(Coarse(quality));
+    ASSERT_TRUE(result) << ToString(quality) << ": " << result.Message();
+    ASSERT_EQ(flight.Made.Tracks.size(), 2u) << ToString(quality);
+    EXPECT_EQ(flight.Made.Tracks[0].Positions.size(), static_cast<std::size_t>(frames));
+    EXPECT_TRUE(flight.Made.Tracks[0].Positions.back().allFinite());
+  }
+  Flight brief;
+  brief.TheScene.Info.Time.NumberOfFrames = 2;
+  brief.TheScene.Constraints.clear();
+  EXPECT_EQ(brief.Run(Coarse(Quality::Full)).Message(),
+            "NumberOfFrames: at least 3 expected, found 2");
+}
+
 TEST(RunChain, MeetsTheMarkInEachQuality)
 {
   for (const Quality quality : Qualities)
