@@ -74,7 +74,7 @@ class Mutations(unittest.TestCase):
 
         def begun(*_, **__):
             raise failures.Interrupted("begun")
-        synthesis._run, _two_sample.is_there, takes._Flight.fly = begun, lambda: False, lambda *_: None
+        synthesis._run, _two_sample.is_there, takes._Flight.fly = begun, lambda: False, lambda *_: (None, False)
 
     def judge(self, name, kind, *commands):
         """Calls commands one after the other in a fork of this process: one in turn, and of some mutants none, where not all are asked
