@@ -50,7 +50,7 @@ def _changes(case, done):
         yield "lost files", f"{(old + gone)[:4]} are gone or others"
     if new:
         yield "leftover", f"new: {new[:4]}"
-    if any("/.waft" in name or name.startswith("+.waft") for name in done.changed + done.old_results_changed):
+    if any("/.waft" in name.replace("+", "/", 1) for name in done.changed + done.old_results_changed if name.startswith("+")):
         yield "leftover", "a temporary folder"
 
 
