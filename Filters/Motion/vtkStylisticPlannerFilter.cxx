@@ -203,6 +203,8 @@ void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan
   waft::TracksToPolyData(plan.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
   waft::TreesToPolyData(plan.Trees, this->Scene, this->Kept<vtkPolyData>(TreesPort));
   waft::ReportToTable(plan.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
+  waft::AddDoubles(this->Kept<vtkTable>(ReportPort)->GetFieldData(), waft::names::TopSpeed,
+                   { plan.TopSpeed });
   waft::ConstraintsToPolyData(plan.Constraints, this->Scene, this->Kept<vtkPolyData>(AssignedPort));
   waft::VorticesToPolyData(plan.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
   waft::FlightsToTable(plan.Flights, this->Scene, this->Kept<vtkTable>(FlightsPort));
