@@ -58,23 +58,13 @@ public:
 
   /// Reads a field where it is there, as its table has it; returns whether it is. what: of whole
   /// numbers, for messages.
-  template <class Value>
-  bool Take(const char* field, Value& value) const
+  template <class Value, class... Words>
+  bool Take(const char* field, Value& value, const Words&... what) const
   {
     const bool isThere = this->Has(field);
     if (isThere)
     {
-      this->At(field, "").To(value);
-    }
-    return isThere;
-  }
-  template <class Value>
-  bool Take(const char* field, Value& value, const char* what) const
-  {
-    const bool isThere = this->Has(field);
-    if (isThere)
-    {
-      value = static_cast<Value>(this->At(field, "").Integer(what));
+      this->At(field, "").To(value, what...);
     }
     return isThere;
   }
@@ -114,6 +104,11 @@ private:
   void To(std::string& value) const { value = this->Text(); }
   void To(Vec3& value) const { value = this->Vector(); }
   void To(Quat& value) const { value = this->Rotation(); }
+  template <class Whole>
+  void To(Whole& value, const char* what) const
+  {
+    value = static_cast<Whole>(this->Integer(what));
+  }
 
   void RefuseControls(const std::string& text) const;
   std::vector<double> Numbers(std::size_t count, const std::string& expected) const;
