@@ -128,6 +128,20 @@ class Stopping(unittest.TestCase):
         self.assertLess(self.stop_when_planned(LONG), SEEN_WITHIN + LOADED)
         self.assertFalse((self.folder / "out/air.pvd").exists(), "there was no air yet")
 
+    def test_that_has_written_all_changes_nothing(self):
+        process = subprocess.Popen([*map(str, self.synthesize(scene(11, {"positions": [[0, 0, 2.6]]})))], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.kill)
+        while not (self.folder / "out/report.json").exists():
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        time.sleep(0.05)  # another file or two
+        while process.poll() is None:
+            process.send_signal(signal.SIGTERM)
+            time.sleep(0.02)
+        self.assertEqual(0, process.returncode, process.stderr.read())
+
     def test_that_the_system_killed_says_so(self):
         process = subprocess.Popen([*map(str, self.synthesize(MEDIUM))], stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.stderr.close)

@@ -3,6 +3,7 @@
 
     test_takes.py WAFT       WAFT: the command of the build or of an installed tree
 """
+import contextlib
 import csv
 import json
 import os
@@ -112,6 +113,22 @@ class Takes(unittest.TestCase):
         self.assertEqual(4, child.wait(timeout=600), child.stderr.read())
         child.stderr.close()
         self.assertLess(len(list(self.folder.glob("out/take-*/report.json"))), 40)
+
+    def test_a_take_that_the_system_killed_has_its_row(self):
+        self.write({**SCENE, "time": {"frames": 3001}})
+        with subprocess.Popen(self.command("1"), cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              env={**os.environ, "MARK": str(self.folder)}) as flown:
+            while not list(self.folder.glob("out/take-0001/checkpoint")):
+                self.assertIsNone(flown.poll())
+                time.sleep(0.02)
+            for comm in pathlib.Path("/proc").glob("[0-9]*/comm"):
+                with contextlib.suppress(OSError):
+                    if comm.read_text() == "pvpython\n" and str(self.folder).encode() in (comm.parent / "environ").read_bytes():
+                        os.kill(int(comm.parent.name), signal.SIGKILL)
+            said = flown.communicate()[1]
+        self.assertEqual(1, flown.returncode, said)
+        self.assertEqual("failed", self.rows()[1]["outcome"])
+        self.assertIn("ended by SIGKILL", self.rows()[1]["message"])
 
     def test_files_of_others_and_malformed_scenes_are_refused(self):
         out = self.folder / "out"

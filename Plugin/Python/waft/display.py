@@ -9,7 +9,7 @@ import signal
 import struct
 import subprocess
 
-STOPS = {signal.SIGINT, signal.SIGTERM, signal.SIGUSR1}
+STOPS = {signal.SIGINT, signal.SIGTERM, signal.SIGUSR1}  # the last is what launchers and batch systems hand on
 _LIBC = ctypes.CDLL(None)
 
 

@@ -8,6 +8,7 @@ import signal
 import sys
 
 from waft import failures
+from waft.display import STOPS
 from waft.texts import say
 
 
@@ -56,6 +57,8 @@ def leave(act):
             say(f"waft: {error}", "error")
     if status < 0:
         _end_by(-status)
+    for number in STOPS:  # all is done: one that comes while Python ends, which would give it back its default, changes nothing
+        signal.signal(number, signal.SIG_IGN)
     sys.exit(status)
 
 

@@ -10,11 +10,11 @@ import sys
 import threading
 import time
 
+from waft.display import STOPS
 from waft.failures import Interrupted
 from waft.messages import is_quiet
 from waft.texts import line, say
 
-STOPS = (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1)  # the last is what launchers and batch systems hand on
 NOTHING_COMPUTED = "stopped before anything was computed: nothing was written"
 _FIGURES = re.compile(r"[\d.,+-]+")
 _kept_stops = []  # stops that came while nobody was there to take them

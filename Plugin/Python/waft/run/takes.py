@@ -20,6 +20,7 @@ import time
 
 from waft import failures, loading
 from waft.beneath import Folder
+from waft.display import STOPS
 from waft.failures import BadInput, Interrupted, WaftError
 from waft.files import write_text
 from waft.reading import check_scene_file, json_of, open_stream
@@ -28,7 +29,7 @@ from waft.results._records import FLOWN, MEASURED, TAKES, checked, record_of
 from waft.run._chain import word_in_keys
 from waft.scene import Scene
 from waft.texts import cell, line
-from waft.watching import STOPS, interruptible
+from waft.watching import interruptible
 
 OUTCOMES = {failures.ALL_MET: "all met", failures.NOT_ALL_MET: "not all met", failures.STOPPED_EARLY: "stopped",
             failures.MALFORMED: "refused"}
@@ -186,7 +187,10 @@ class _Flight:
         with self._lock:
             self._children.discard(child)
         said = [words for words in errors.splitlines() if words.strip()]
-        return child.returncode, text, said[-1].removeprefix("waft: ") if said else ""
+        words = said[-1].removeprefix("waft: ") if said else ""
+        if child.returncode < 0:  # a signal, told as shells do
+            return 128 - child.returncode, text, words or f"ended by {signal.Signals(-child.returncode).name}"
+        return child.returncode, text, words
 
 
 def _block_stops():
