@@ -15,13 +15,11 @@
 
 #include <string>
 
-class vtkCollection;
 class vtkDataObject;
 class vtkFieldData;
 class vtkImageData;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
-class vtkStringArray;
 
 class VTKWAFTSOURCES_EXPORT vtkCheckedFiles : public vtkObject
 {
@@ -39,18 +37,8 @@ public:
   static std::string ReadPicture(const std::string& path, vtkImageData* data);
   /** The skin that a shape has in memory, of field data as shapes and meshes have them. */
   static std::string ReadSkin(vtkFieldData* fields, int shape, vtkImageData* data);
-  /** A .vtp, .vti or .vtt, piece by piece: see Bridge/Files/DataWriting.h. WriteRounded: exact has
-   * the names of the arrays at points that keep all digits, with spaces between. */
+  /** A .vtp, .vti or .vtt, piece by piece: see Bridge/Files/DataWriting.h. */
   static std::string Write(const std::string& path, vtkDataObject* data, bool packsWell);
-  static std::string WriteRounded(const std::string& path, vtkDataObject* data,
-                                  const std::string& exact);
-  ///@{
-  /** Files as Write writes them, of one datum each, several at once by threads; gives what is wrong
-   * with the first that could not be written, by its path. */
-  static std::string WriteTogether(vtkStringArray* paths, vtkCollection* data, bool packsWell);
-  /** How many are worth giving to WriteTogether. */
-  static int GetNumberOfThreads();
-  ///@}
   /** The structure of a .vtm and of its blocks' files alone: elements, counts, sizes of arrays. */
   static std::string CheckBlocks(const std::string& path);
 

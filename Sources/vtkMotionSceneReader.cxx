@@ -88,17 +88,6 @@ int vtkMotionSceneReader::GetSceneSeed() const
   return static_cast<int>(this->Read->Scene.Info.Seed);
 }
 
-double* vtkMotionSceneReader::GetVolumeAboveGround()
-{
-  const waft::Box volume = waft::VolumeAboveGround(this->Read->Scene);
-  for (int k = 0; k < 3; ++k)
-  {
-    this->VolumeAboveGround[2 * k] = volume.Min[k];
-    this->VolumeAboveGround[2 * k + 1] = volume.Max[k];
-  }
-  return this->VolumeAboveGround;
-}
-
 int vtkMotionSceneReader::FillOutputPortInformation(int port, vtkInformation* info)
 {
   return waft::FillOutput(waft::ChainStage::Scene, port, info);

@@ -69,9 +69,6 @@ public:
 
   /** The seed that the scene file gives; 1 before one was read. */
   int GetSceneSeed() const;
-  /** The volume above the ground of the scene that was read (xmin, xmax, ymin, ymax, zmin, zmax)
-   * [m], which the optimiser fills with gas. */
-  double* GetVolumeAboveGround() VTK_SIZEHINT(6);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
@@ -96,7 +93,6 @@ private:
   // Whose fields the properties are.
   friend struct waft::SceneReadOptions;
   std::string FileName;
-  double VolumeAboveGround[6] = {};
 };
 
 #endif

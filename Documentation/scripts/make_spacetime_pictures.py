@@ -23,12 +23,12 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import waft  # noqa: E402
+from paraview import simple  # noqa: E402
 from make_coverage_picture import SAMPLES, add, name_axis  # noqa: E402
 from make_stage_pictures import AGAINST, GALLERY, VORTEX, WIND, Picture, colored, output, tubes  # noqa: E402
 from waft.files import table_rows  # noqa: E402
 from waft.loading import load_plugin  # noqa: E402
 from waft.loading import set_threads  # noqa: E402
-from waft.pipeline import Pipeline  # noqa: E402
 from waft.render._output import grab, write_png  # noqa: E402
 from waft.render._scenery import lines  # noqa: E402
 
@@ -46,23 +46,16 @@ class Run:
     def __init__(self, scene, properties):
         load_plugin()
         set_threads(None)
-        self.pipeline = Pipeline(scene)
-        self.pipeline.reader.FileName = scene
-        self.pipeline.reader.UpdatePipeline()
-        self.pipeline.database.UpdatePipeline()
-        fields = self.pipeline.output("reader").GetFieldData()
-        self.bounds = tuple(fields.GetArray("Bounds").GetTuple(k)[0] for k in range(6)) \
-            if fields.GetArray("Bounds").GetNumberOfComponents() == 1 else fields.GetArray("Bounds").GetTuple(0)
-        self.pipeline.add_planner(int(fields.GetArray("Seed").GetValue(0)))
-        self.pipeline.planner.UpdatePipeline()
-        self.pipeline.add_spacetime()
-        self.filter = self.pipeline.spacetime
+        animation = simple.WaftAnimation(FileName=scene, Quality="Paper")
+        self.planner, self.filter = (waft.unfold(animation)[name] for name in ("Planner", "Spacetime"))
         for name, value in properties.items():
             setattr(self.filter, name, value)
         self.filter.UpdatePipeline(TIME)
+        bounds = output(self.planner).GetFieldData().GetArray("Bounds")
+        self.bounds = tuple(bounds.GetValue(k) for k in range(6))
 
     def paths(self, planned):
-        data = self.pipeline.planned(0) if planned else output(self.filter)
+        data = output(self.planner if planned else self.filter)
         points = vtk_to_numpy(data.GetPoints().GetData())
         return points.reshape(data.GetNumberOfLines(), -1, 3)
 

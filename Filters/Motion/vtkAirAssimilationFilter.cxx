@@ -16,6 +16,7 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/Motion.h"
 #include "Grid/NodeSolids.h"
 
 #include <vtkImageData.h>
@@ -77,6 +78,9 @@ struct vtkAirAssimilationFilter::Internals : waft::KeptStage
   }
   ~Internals() override { this->Discard(); }
   waft::Result Take(vtkInformationVector** inputs, waft::AssimilationInput& input);
+  waft::Result Adopt(vtkInformationVector** inputs, const waft::Scene& scene,
+                     const waft::Motion& motion) override;
+  waft::Result KeepSolution(vtkPolyData* planned);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
   void Publish() override;
@@ -133,6 +137,19 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   }
   this->Rejoin();
   this->Warnings = this->Solution.Warnings;
+  return this->KeepSolution(planned);
+}
+
+waft::Result vtkAirAssimilationFilter::Internals::Adopt(vtkInformationVector** inputs,
+                                                        const waft::Scene&,
+                                                        const waft::Motion& motion)
+{
+  this->Solution = motion.Air;
+  return this->KeepSolution(vtkPolyData::GetData(inputs[PlannedPort]));
+}
+
+waft::Result vtkAirAssimilationFilter::Internals::KeepSolution(vtkPolyData* planned)
+{
   if (this->Solution.Air->Velocity.IsEmpty()) // they are the plan's, with what that says of them
   {
     WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(planned, this->Solution.Tracks));

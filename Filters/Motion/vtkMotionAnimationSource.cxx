@@ -2,28 +2,42 @@
 #include "vtkMotionAnimationSource.h"
 
 #include "Base/SliceOptions.h"
+#include "Base/StateArchive.h"
 #include "Bridge/Data/AirData.h"
+#include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SpacetimeData.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
 #include "Bridge/Files/EmbeddedDatabase.h"
+#include "Bridge/Files/FlightFiles.h"
 #include "Bridge/Files/InstalledData.h"
 #include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Files/ShapeColors.h"
 #include "Bridge/Pipeline/MotionOutputs.h"
+#include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/ChainScene.h"
 #include "Chain/EditedScene.h"
 #include "Chain/RunChain.h"
 #include "Spacetime/Run/Spacetime.h"
 
+#include <vtkCommand.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
 #include <vtkTimeStamp.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <map>
 #include <utility>
 
 vtkStandardNewMacro(vtkMotionAnimationSource);
@@ -37,6 +51,11 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   bool HasDatabase = false;
   waft::ChainMemory Memory;
   std::size_t UntakenByAir = 0; // what was warned of when it was drawn
+  std::map<std::pair<waft::ChainStage, std::string>, double> StageOptions;
+  std::string CheckpointFolder;
+  bool HasPlan = false;
+  std::atomic<const char*> AtWork{ "" };
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   explicit Internals(vtkMotionAnimationSource* self) :
     MotionOutputs(self, waft::ColorsOfPoints), Self(self)
@@ -65,7 +84,47 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
   void Clear() override;
+
+  void HandOver(waft::KeptStage& stage) { stage.Give(this->Self, this->Read(), this->Made); }
+  const waft::PlanOutput& Planned() const { return this->Made.Plan; }
+  waft::Result TakePlan(vtkPolyData* tracks, vtkPolyData* rows, vtkPolyData* vortices,
+                        vtkTable* report);
+  std::string FlightAsJson() const;
+  void FillReport(vtkTable* report) const
+  {
+    waft::JoinedReportToTable(this->Made.Report, this->Scene, report);
+  }
+  std::string WriteFiles(const std::string& options) const;
 };
+
+waft::Result vtkMotionAnimationSource::Internals::TakePlan(vtkPolyData* tracks, vtkPolyData* rows,
+                                                           vtkPolyData* vortices, vtkTable* report)
+{
+  waft::PlanOutput plan;
+  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(tracks, plan.Tracks));
+  WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, plan.Vortices));
+  WAFT_RETURN_IF_FAILED(waft::ReportFromTable(report, "planned report", plan.Report));
+  if (rows->GetNumberOfPoints() > 0)
+  {
+    WAFT_RETURN_IF_FAILED(
+      waft::ConstraintsFromPolyData(rows, this->Read().Info.Time, plan.Constraints));
+  }
+  this->Made.Plan = std::move(plan);
+  this->HasPlan = true;
+  this->Self->Modified();
+  return waft::Result::Ok();
+}
+
+std::string vtkMotionAnimationSource::Internals::FlightAsJson() const
+{
+  return waft::FlightAsJson(this->Made);
+}
+
+std::string vtkMotionAnimationSource::Internals::WriteFiles(const std::string& options) const
+{
+  waft::SilentMonitor monitor;
+  return waft::WriteFlightAsJson(this->Read(), this->Made, options, monitor);
+}
 
 void vtkMotionAnimationSource::Internals::Clear()
 {
@@ -73,6 +132,7 @@ void vtkMotionAnimationSource::Internals::Clear()
   this->Memory = waft::ChainMemory();
   this->Database = waft::MotionDatabase();
   this->HasDatabase = false;
+  this->HasPlan = false;
 }
 
 /// True where the file was read now.
@@ -96,6 +156,20 @@ waft::ChainOptions vtkMotionAnimationSource::Internals::Options() const
   options.Seed = this->Self->Seed;
   options.StopAfter = static_cast<waft::ChainStage>(this->Self->StopAfter);
   options.Takes = waft::OptionsOf<waft::TakeOptions>(*this->Self);
+  options.TimeLimit = this->Self->TimeLimit;
+  options.HasPlan = this->HasPlan;
+  options.Optimiser.MemoryLimit = this->Self->MemoryLimit;
+  options.Air.EditOf = this->Self->EditOf;
+  if (!this->CheckpointFolder.empty())
+  {
+    options.Air.CheckpointFile = this->CheckpointFolder + "/assimilation.state";
+    options.Air.StateFile = this->CheckpointFolder + "/assimilated.state";
+    options.Optimiser.CheckpointFile = this->CheckpointFolder + "/spacetime.state";
+  }
+  for (const auto& [option, value] : this->StageOptions)
+  {
+    options.Set(option.first, option.second, value);
+  }
   return options;
 }
 
@@ -119,16 +193,41 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
     {
       return waft::Result::Stopped();
     }
-    WAFT_RETURN_IF_FAILED(waft::ReadEmbeddedDatabase(this->Database));
+    WAFT_RETURN_IF_FAILED(this->Self->Database.empty()
+                            ? waft::ReadEmbeddedDatabase(this->Database)
+                            : waft::ReadDatabaseFile(this->Self->Database, this->Database));
     this->HasDatabase = true;
   }
+  waft::ControllerCommunicator ranks(this->Controller);
+  const waft::ChainInputs given{ this->Read(),
+                                 this->File.Wind(),
+                                 this->Database,
+                                 this->Controller != nullptr ? &ranks : nullptr,
+                                 [this](waft::ChainStage stage)
+                                 { this->AtWork = waft::TraitsOf(stage).Name; },
+                                 [this](waft::ChainStage stage)
+                                 {
+                                   if (stage != waft::ChainStage::Planner || this->Slice() > 0.0)
+                                   {
+                                     return waft::Result::Ok();
+                                   }
+                                   this->Self->InvokeEvent(vtkCommand::UserEvent);
+                                   return this->Self->GetAbortExecute() != 0
+                                            ? waft::Result::Error("stopped once it was planned")
+                                            : waft::Result::Ok();
+                                 } };
   const waft::Result result =
-    waft::RunChain({ this->Read(), this->File.Wind(), this->Database }, this->Options(),
-                   waft::SmpFor(), monitor, this->Made, &this->Memory);
+    waft::RunChain(given, this->Options(), waft::SmpFor(), monitor, this->Made, &this->Memory);
+  const bool hasBegun = *this->AtWork.load() != '\0';
+  this->AtWork = "";
   this->Rejoin();
+  if (!result && !hasBegun) // the scene as a whole
+  {
+    return waft::Result::Error(this->Self->FileName + ": " + result.Message());
+  }
   WAFT_RETURN_IF_FAILED(result);
   this->UntakenByAir = this->IsEdit() ? this->UntakenByAir : this->Made.Air.Warnings.size();
-  for (const auto& [stage, seconds] : this->Made.Seconds) // what was kept has warned already
+  for (const auto& [stage, effort] : this->Made.Efforts) // what was kept has warned already
   {
     const std::vector<std::string>& warnings = this->Made.Warnings[stage];
     this->Warnings.insert(this->Warnings.end(), warnings.begin(), warnings.end());
@@ -210,6 +309,93 @@ bool vtkMotionAnimationSource::SaveSceneAs(const std::string& name)
 int vtkMotionAnimationSource::GetWantsNewAir() const
 {
   return this->Impl->WantsNewAir() ? 1 : 0;
+}
+
+void vtkMotionAnimationSource::SetDatabase(const std::string& name)
+{
+  if (name != this->Database)
+  {
+    this->Database = name;
+    this->LetGo();
+    this->Modified();
+  }
+}
+
+std::string vtkMotionAnimationSource::GetSceneDigest() const
+{
+  const waft::Scene& scene = this->Impl->Read();
+  const waft::MotionProblem problem{ scene.Info,
+                                     {},
+                                     scene.Objects,
+                                     scene.Constraints,
+                                     waft::ObstaclesOfFrames(scene.Obstacles, scene.Info.Time),
+                                     scene.Vortices,
+                                     this->Impl->File.Wind().OfFrames(scene.Info.Time) };
+  return std::to_string(waft::DigestOf(problem));
+}
+
+bool vtkMotionAnimationSource::SetStageOption(const std::string& stage, const std::string& name,
+                                              double value)
+{
+  for (const waft::ChainStageTraits& traits : waft::ChainStages())
+  {
+    if (stage == traits.Name && waft::ChainOptions().Set(traits.Stage, name, value))
+    {
+      this->Impl->StageOptions[{ traits.Stage, name }] = value;
+      this->Modified();
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string vtkMotionAnimationSource::GetStageAtWork() const
+{
+  return this->Impl->AtWork.load();
+}
+
+std::string vtkMotionAnimationSource::WritePlan(const std::string& folder)
+{
+  return waft::WritePlan(this->Impl->Read().Info, this->Impl->Planned(), folder).Message();
+}
+
+std::string vtkMotionAnimationSource::TakePlan(vtkPolyData* tracks, vtkPolyData* rows,
+                                               vtkPolyData* vortices, vtkTable* report)
+{
+  return this->Impl->TakePlan(tracks, rows, vortices, report).Message();
+}
+
+void vtkMotionAnimationSource::SetCheckpointFolder(const std::string& folder)
+{
+  this->Impl->CheckpointFolder = folder; // which changes nothing of the motion
+}
+
+void vtkMotionAnimationSource::SetController(vtkMultiProcessController* controller)
+{
+  this->Impl->Controller = controller; // likewise
+}
+
+std::string vtkMotionAnimationSource::GetFlight() const
+{
+  return this->Impl->FlightAsJson();
+}
+
+void vtkMotionAnimationSource::HandOver(vtkAlgorithm* stage)
+{
+  if (auto* sliced = vtkSlicedPolyDataAlgorithm::SafeDownCast(stage))
+  {
+    this->Impl->HandOver(sliced->Kept());
+  }
+}
+
+void vtkMotionAnimationSource::GetReport(vtkTable* report) const
+{
+  this->Impl->FillReport(report);
+}
+
+std::string vtkMotionAnimationSource::WriteFlight(const std::string& options)
+{
+  return this->Impl->WriteFiles(options);
 }
 
 int vtkMotionAnimationSource::GetSceneSeed() const

@@ -32,6 +32,10 @@
 #include <memory>
 #include <string>
 
+class vtkMultiProcessController;
+class vtkPolyData;
+class vtkTable;
+
 namespace waft
 {
 struct FlightOptions;
@@ -95,11 +99,62 @@ public:
   WaftOpenProperty(int, Quality);
   WaftProperty(int, Seed);
   WaftOpenProperty(int, StopAfter);
+  WaftProperty(double, TimeLimit);
+  WaftProperty(double, MemoryLimit);
+  WaftText(EditOf);
   WaftProperty(int, NumberOfTakes);
   WaftProperty(int, Take);
 
+  ///@{
+  /** A motion database, .vtm; empty: the one that comes with Waft. Setting it reads the file anew.
+   */
+  void SetDatabase(const std::string& name);
+  vtkGetMacro(Database, std::string);
+  ///@}
+
   /** The seed that the scene file gives; 1 before one was read. */
   int GetSceneSeed() const;
+  /** Tells scenes apart: two of one digest are the same motion. 0 before one was read. */
+  std::string GetSceneDigest() const;
+  /** Sets an option of a stage, by their names in the table of the chain; false where there is
+   * none. */
+  bool SetStageOption(const std::string& stage, const std::string& name, double value);
+
+  ///@{
+  /**
+   * For who writes a flight as it goes. While a stage works GetStageAtWork is its name, else an
+   * empty text. After the planner has worked the source invokes UserEvent: WritePlan then writes
+   * planned.vtp, constraints.vtp, vortices.vtp and report.csv into a folder, and gives what went
+   * wrong, or an empty text. TakePlan has the next update go on from a plan instead of planning;
+   * report: columns of texts. CheckpointFolder: where assimilation.state, assimilated.state and
+   * spacetime.state are written; empty: nowhere.
+   */
+  std::string GetStageAtWork() const;
+  std::string WritePlan(const std::string& folder);
+  std::string TakePlan(vtkPolyData* tracks, vtkPolyData* rows, vtkPolyData* vortices,
+                       vtkTable* report);
+  void SetCheckpointFolder(const std::string& folder);
+  ///@}
+  /** Those besides the first are in vtkSharedWork::Serve meanwhile; null: this process alone. */
+  void SetController(vtkMultiProcessController* controller);
+
+  /**
+   * What came of the last update, as JSON: `efforts` ({stage: seconds, processorSeconds,
+   * threadSeconds, peakMemoryMB}), `stopped` (the stage that was stopped, or an empty text),
+   * `movedBy` (the last stage that moved objects), `hasAir`, `objects` (what planning
+   * came to).
+   */
+  std::string GetFlight() const;
+  /** The next update of a stage by itself gives what this source has of it, without work; nothing
+   * of other algorithms. Its inputs are taken for those of the scene. */
+  void HandOver(vtkAlgorithm* stage);
+  /** What came of each row, as vtkMotionReport has it. */
+  void GetReport(vtkTable* report) const;
+  /**
+   * Writes the files of the motion (waft::WriteFlight). options: JSON with the fields of
+   * waft::FlightFileOptions. Returns JSON: `report` and `warnings`, or `error`.
+   */
+  std::string WriteFlight(const std::string& options);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
@@ -127,6 +182,7 @@ private:
   friend struct waft::FlightOptions;
   friend struct waft::TakeOptions;
   std::string FileName;
+  std::string Database;
   std::string Edits;
 
   struct Internals;

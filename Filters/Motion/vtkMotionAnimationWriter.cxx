@@ -2,10 +2,10 @@
 #include "vtkMotionAnimationWriter.h"
 
 #include "Bridge/Data/ArrayNames.h"
-#include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/PoseData.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
+#include "Bridge/Files/AnimationFile.h"
 #include "Bridge/Files/FileWriting.h"
 #include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
@@ -15,8 +15,6 @@
 #include "Export/GltfAnimation.h"
 #include "Export/PosesCsv.h"
 
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
@@ -24,7 +22,6 @@
 #include <vtkPolyData.h>
 
 #include <cstddef>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -46,34 +43,6 @@ const waft::StageInputs Inputs = {
   { "Constraints", StageInput::Type::Merged, StageInput::Number::Optional },
 };
 
-/// By ObjectId, the frames at which a body does what is asked of it: those of its rows, and when it
-/// comes to lie, asked for or not.
-waft::Result FramesOfMarks(vtkPolyData* rows, vtkPolyData* poses, const waft::Timeline& time,
-                           std::map<int, std::vector<int>>& frames)
-{
-  std::vector<waft::Constraint> constraints;
-  if (rows->GetNumberOfPoints() > 0)
-  {
-    WAFT_RETURN_IF_FAILED(waft::ConstraintsFromPolyData(rows, time, constraints));
-  }
-  for (const waft::Constraint& row : constraints)
-  {
-    std::vector<int>& own = frames[row.ObjectId];
-    own.insert(own.end(),
-               { row.Frame, waft::LastFrame(row), row.TouchDown, row.Settled, row.LiftOff });
-  }
-  vtkDataArray* ids = poses->GetCellData()->GetArray(waft::names::ObjectId);
-  for (const char* name : { waft::names::TouchDown, waft::names::Settled })
-  {
-    vtkDataArray* begun = poses->GetCellData()->GetArray(name);
-    for (vtkIdType i = 0; begun != nullptr && i < begun->GetNumberOfTuples(); ++i)
-    {
-      frames[static_cast<int>(ids->GetTuple1(i))].push_back(static_cast<int>(begun->GetTuple1(i)));
-    }
-  }
-  return waft::Result::Ok();
-}
-
 } // namespace
 
 struct vtkMotionAnimationWriter::Internals
@@ -84,9 +53,6 @@ struct vtkMotionAnimationWriter::Internals
 
   waft::Result Run(vtkAlgorithm* stage, vtkInformationVector** inputs, const std::string& fileName,
                    waft::Monitor& monitor);
-  waft::Result WriteGlb(vtkInformationVector** inputs, std::vector<waft::Track> tracks,
-                        std::vector<waft::PoseTrack> poses, const waft::SceneInfo& info,
-                        const std::string& fileName, waft::Monitor& monitor);
 };
 
 waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
@@ -103,74 +69,26 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
   {
     this->Warnings.push_back(waft::DefaultsText({ waft::names::FramesPerSecond }, info));
   }
-  std::vector<waft::Track> tracks;
-  std::vector<waft::PoseTrack> poses;
-  WAFT_RETURN_IF_FAILED(waft::PosesFromPolyData(data, tracks, poses));
   if (waft::HasEnding(fileName, ".csv"))
   {
+    std::vector<waft::Track> tracks;
+    std::vector<waft::PoseTrack> poses;
+    WAFT_RETURN_IF_FAILED(waft::PosesFromPolyData(data, tracks, poses));
     WAFT_RETURN_IF_FAILED(waft::CheckOwn(fileName, waft::PosesCsvHeader, 100));
     return waft::WritePosesCsv(fileName, tracks, poses, info.Time, monitor);
   }
   if (waft::HasEnding(fileName, ".glb"))
   {
     WAFT_RETURN_IF_FAILED(waft::CheckOwn(fileName, waft::GltfSign, MostText));
-    info.Time.NumberOfFrames = static_cast<int>(tracks[0].Positions.size());
-    return this->WriteGlb(inputs, std::move(tracks), std::move(poses), info, fileName, monitor);
+    std::vector<waft::MotionObject> objects;
+    WAFT_RETURN_IF_FAILED(waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[1]), objects));
+    std::vector<waft::Shape> bodies;
+    WAFT_RETURN_IF_FAILED(
+      waft::BodiesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[2]), bodies));
+    return waft::WriteAnimation(fileName, data, objects, std::move(bodies),
+                                vtkPolyData::GetData(inputs[3]), info, monitor, this->Warnings);
   }
   return waft::WrongEnding(fileName, Endings);
-}
-
-waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(vtkInformationVector** inputs,
-                                                           std::vector<waft::Track> tracks,
-                                                           std::vector<waft::PoseTrack> poses,
-                                                           const waft::SceneInfo& info,
-                                                           const std::string& fileName,
-                                                           waft::Monitor& monitor)
-{
-  std::vector<waft::MotionObject> objects;
-  WAFT_RETURN_IF_FAILED(waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[1]), objects));
-  std::vector<waft::Shape> bodies;
-  WAFT_RETURN_IF_FAILED(
-    waft::BodiesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[2]), bodies));
-  std::vector<waft::AnimatedShape> shapes;
-  for (waft::Shape& body : bodies)
-  {
-    waft::AnimatedShape shape;
-    shape.Body = std::move(body);
-    if (!shape.Body.Texture.empty())
-    {
-      const waft::Result read = waft::ReadImageFile(shape.Body.Texture, shape.Texture);
-      if (!read)
-      {
-        this->Warnings.push_back("shape '" + shape.Body.Name + "': " + read.Message());
-      }
-    }
-    else if (!shape.Body.Skin.empty())
-    {
-      shape.Texture = { shape.Body.Skin, "image/png" };
-    }
-    shapes.push_back(std::move(shape));
-  }
-  vtkPolyData* rows = vtkPolyData::GetData(inputs[3]);
-  std::map<int, std::vector<int>> marks;
-  if (rows != nullptr)
-  {
-    WAFT_RETURN_IF_FAILED(FramesOfMarks(rows, vtkPolyData::GetData(inputs[0]), info.Time, marks));
-  }
-  const waft::ShapesOfTracks shapeOf("Poses", objects, shapes.size());
-  std::vector<waft::AnimatedObject> animated;
-  for (std::size_t i = 0; i < tracks.size(); ++i)
-  {
-    int shapeId = 0;
-    WAFT_RETURN_IF_FAILED(shapeOf.Find(tracks[i].ObjectId, shapeId));
-    animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId),
-                         std::move(tracks[i].Positions), std::move(poses[i].Orientations),
-                         std::move(marks[tracks[i].ObjectId]) });
-    poses[i] = waft::PoseTrack();
-  }
-  return waft::WriteAnimationGlb(
-    fileName, shapes, std::move(animated), info.Time.FramesPerSecond, monitor,
-    rows != nullptr ? waft::MostWholeKeys : waft::AnyNumberOfKeys, info.Bounds);
 }
 
 vtkMotionAnimationWriter::vtkMotionAnimationWriter() : Impl(std::make_unique<Internals>())

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionReport.h"
 
-#include "Bridge/Data/ArrayNames.h"
-#include "Bridge/Data/Columns.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SceneData.h"
+#include "Bridge/Files/FlightFiles.h"
 #include "Chain/JoinedReport.h"
 
-#include <vtkDataSetAttributes.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
-
-#include <algorithm>
 
 vtkStandardNewMacro(vtkMotionReport);
 
@@ -37,9 +33,6 @@ waft::Result Read(vtkTable* moved, vtkTable* planned, vtkTable* turned, vtkPolyD
     WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(constraints, read.Scene));
     WAFT_RETURN_IF_FAILED(waft::ConstraintsFromPolyData(constraints, read.Scene.Time, read.Rows));
   }
-  const auto isOfNoRow = [](const waft::ReportRow& line) { return line.Target == waft::OfNoRow; };
-  read.Moved.erase(std::remove_if(read.Moved.begin(), read.Moved.end(), isOfNoRow),
-                   read.Moved.end());
   waft::TakeStatuses(read.Turned, read.Rows); // when rests begin by their poses
   return waft::Result::Ok();
 }
@@ -60,9 +53,7 @@ std::string vtkMotionReport::Join(vtkTable* moved, vtkTable* planned, vtkTable* 
   {
     return result.Message();
   }
-  const std::vector<waft::JoinedRow> lines =
-    waft::JoinReports(read.Moved, read.Planned, read.Turned, read.Rows);
-  waft::ReportToTable({ lines.begin(), lines.end() }, read.Scene, joined);
-  waft::AddColumn(joined->GetRowData(), waft::names::LiftOff, lines, &waft::JoinedRow::LiftOff);
+  waft::JoinedReportToTable(waft::JoinReports(read.Moved, read.Planned, read.Turned, read.Rows),
+                            read.Scene, joined);
   return {};
 }

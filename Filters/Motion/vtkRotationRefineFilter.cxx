@@ -16,7 +16,9 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/Motion.h"
 #include "Rotation/RotationRefine.h"
+#include "Scene/Scene.h"
 
 #include <vtkCellData.h>
 #include <vtkImageData.h>
@@ -83,6 +85,9 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   ~Internals() override { this->Discard(); }
   waft::Result TakePass(vtkInformationVector** inputs, bool isFirst) override;
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
+  waft::Result Adopt(vtkInformationVector** inputs, const waft::Scene& scene,
+                     const waft::Motion& motion) override;
+  void KeepPoses(const std::vector<double>& farthest, vtkPointData* given);
   void KeepWhatMeshesNeed();
   waft::Result BuildMeshes(vtkInformationVector** inputs, const waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
@@ -182,20 +187,42 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     this->Tracks = std::move(input.Tracks);
     const std::vector<double> farthest = waft::ApplyShifts(this->Rotation, this->Tracks);
     this->Warnings = this->Rotation.Warnings;
-    waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
-                          this->Kept<vtkPolyData>(PosesPort), this->Left);
-    this->Left->Initialize();
-    waft::ShareEqualArrays(given, this->Kept<vtkPolyData>(PosesPort)->GetPointData());
-    waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
-                     farthest);
-    waft::AddTurning(this->Rotation, this->Kept<vtkPolyData>(PosesPort));
-    waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
-    this->Meshes.SetSettled(waft::SettledFrames(this->Rotation.Constraints, this->Tracks));
-    waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
-    this->KeepWhatMeshesNeed();
+    this->KeepPoses(farthest, given);
   }
   input = waft::RotationInput(); // it points to what ends here
   return result;
+}
+
+waft::Result vtkRotationRefineFilter::Internals::Adopt(vtkInformationVector** inputs,
+                                                       const waft::Scene& scene,
+                                                       const waft::Motion& motion)
+{
+  waft::RotationInput input;
+  input.Objects = scene.Objects;
+  input.Shapes = scene.Shapes;
+  input.Tracks = motion.Tracks;
+  WAFT_RETURN_IF_FAILED(this->BuildMeshes(inputs, input));
+  this->Meshes.SetGround(scene.Obstacles, this->Scene.Bounds);
+  this->Tracks = motion.Tracks;
+  this->Rotation = motion.Turned;
+  this->Left->Initialize();
+  this->KeepPoses(motion.Laid, vtkPolyData::GetData(inputs[TracksPort])->GetPointData());
+  return waft::Result::Ok();
+}
+
+void vtkRotationRefineFilter::Internals::KeepPoses(const std::vector<double>& farthest,
+                                                   vtkPointData* given)
+{
+  waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
+                        this->Kept<vtkPolyData>(PosesPort), this->Left);
+  this->Left->Initialize();
+  waft::ShareEqualArrays(given, this->Kept<vtkPolyData>(PosesPort)->GetPointData());
+  waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift, farthest);
+  waft::AddTurning(this->Rotation, this->Kept<vtkPolyData>(PosesPort));
+  waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
+  this->Meshes.SetSettled(waft::SettledFrames(this->Rotation.Constraints, this->Tracks));
+  waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
+  this->KeepWhatMeshesNeed();
 }
 
 // The outputs have the rest, and bodies may be many.

@@ -13,8 +13,8 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/Motion.h"
 #include "Spacetime/Run/Spacetime.h"
-#include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 
 #include <vtkImageData.h>
@@ -73,6 +73,8 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   }
   ~Internals() override { this->Discard(); }
   waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
+  waft::Result Adopt(vtkInformationVector** inputs, const waft::Scene& scene,
+                     const waft::Motion& motion) override;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
   void Publish() override;
@@ -144,6 +146,17 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
     waft::AddTouchDowns(input.Constraints, this->Kept<vtkPolyData>(TracksPort));
   }
   return waft::Result::Ok(); // also when stopped: the best so far is shown until something changes
+}
+
+waft::Result vtkSPHSpacetimeFilter::Internals::Adopt(vtkInformationVector** inputs,
+                                                     const waft::Scene&, const waft::Motion& motion)
+{
+  this->Solution = motion.Optimised;
+  std::vector<waft::Constraint> rows;
+  WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], rows));
+  this->KeepSolution();
+  waft::AddTouchDowns(rows, this->Kept<vtkPolyData>(TracksPort));
+  return waft::Result::Ok();
 }
 
 void vtkSPHSpacetimeFilter::Internals::KeepSolution()
@@ -234,22 +247,6 @@ int vtkSPHSpacetimeFilter::FillInputPortInformation(int port, vtkInformation* in
 int vtkSPHSpacetimeFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
   return waft::FillOutput(waft::ChainStage::Spacetime, port, info);
-}
-
-void vtkSPHSpacetimeFilter::EmptyConvergence(vtkTable* table)
-{
-  waft::ConvergenceToTable({}, {}, table);
-}
-
-std::string vtkSPHSpacetimeFilter::CheckRoom(const double bounds[6], int numberOfFrames,
-                                             int numberOfObjects) const
-{
-  const waft::Box volume{ waft::Vec3(bounds[0], bounds[2], bounds[4]),
-                          waft::Vec3(bounds[1], bounds[3], bounds[5]) };
-  return waft::CheckRoom(volume, numberOfFrames,
-                         static_cast<std::size_t>(std::max(0, numberOfObjects)),
-                         waft::OptionsOf<waft::SpacetimeOptions>(*this))
-    .Message();
 }
 
 vtkTypeBool vtkSPHSpacetimeFilter::ProcessRequest(vtkInformation* request,

@@ -100,12 +100,6 @@ public:
   WaftWrittenFile(CheckpointFile);
   WaftProperty(double, CheckpointInterval);
 
-  /** Whether there is room, with these properties, for so many objects and frames in a volume
-   * (xmin, xmax, ymin, ymax, zmin, zmax) [m] above its ground: for layers of gas, and in memory.
-   * Says what is lacking; empty when nothing is. A script may ask before anything is planned. */
-  std::string CheckRoom(const double bounds[6], int numberOfFrames, int numberOfObjects) const;
-  /** Makes a table the Convergence of no iteration: the columns alone. */
-  static void EmptyConvergence(vtkTable* table);
   /** Solve on: the next update goes on from where the last one ended although nothing changed. */
   void Continue();
   /** Forget the last run: the next update starts from the planned tracks. */

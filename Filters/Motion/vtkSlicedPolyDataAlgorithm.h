@@ -40,6 +40,7 @@ protected:
   virtual waft::KeptStage& Kept() = 0;
 
 private:
+  friend class vtkMotionAnimationSource; // which hands its motion over
   friend struct waft::SliceOptions;
   vtkSlicedPolyDataAlgorithm(const vtkSlicedPolyDataAlgorithm&) = delete;
   void operator=(const vtkSlicedPolyDataAlgorithm&) = delete;

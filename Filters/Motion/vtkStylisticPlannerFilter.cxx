@@ -17,6 +17,7 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/Motion.h"
 #include "Planning/InputCheck.h"
 #include "Planning/PlanCache.h"
 #include "Planning/PlanReport.h"
@@ -100,7 +101,13 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   }
   waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
   waft::Result TakeObstacles();
-  void KeepPlan(const waft::PlanOutput& plan);
+  void KeepPlan(const waft::PlanOutput& plan, const std::vector<waft::TakeScore>& takes);
+  waft::Result Adopt(vtkInformationVector**, const waft::Scene&,
+                     const waft::Motion& motion) override
+  {
+    this->KeepPlan(motion.Plan, motion.Takes);
+    return waft::Result::Ok();
+  }
 };
 
 /// Takes the database over when it is another than the last time.
@@ -183,8 +190,7 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
     static_cast<int>(std::count_if(plan.Objects.begin(), plan.Objects.end(),
                                    [](const waft::ObjectRow& object) { return object.IsPlanned; }));
   this->Warnings = waft::PlanRemarks(this->Database, this->Scene, plan);
-  this->KeepPlan(plan); // also when stopped: what was planned so far
-  waft::TakesToTable(takes, this->Scene, this->Kept<vtkTable>(TakesPort));
+  this->KeepPlan(plan, takes); // also when stopped: what was planned so far
   this->Plan = waft::PlanOutput();
   return result;
 }
@@ -198,7 +204,8 @@ void vtkStylisticPlannerFilter::Internals::Publish()
                               this->Kept<vtkPolyData>(AssignedPort));
 }
 
-void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan)
+void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan,
+                                                    const std::vector<waft::TakeScore>& takes)
 {
   waft::TracksToPolyData(plan.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
   waft::TreesToPolyData(plan.Trees, this->Scene, this->Kept<vtkPolyData>(TreesPort));
@@ -209,6 +216,7 @@ void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan
   waft::VorticesToPolyData(plan.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
   waft::FlightsToTable(plan.Flights, this->Scene, this->Kept<vtkTable>(FlightsPort));
   waft::ObjectRowsToTable(plan.Objects, this->Scene, this->Kept<vtkTable>(ObjectReportPort));
+  waft::TakesToTable(takes, this->Scene, this->Kept<vtkTable>(TakesPort));
 }
 
 vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<Internals>(this))

@@ -160,8 +160,8 @@ def main(first, step, groups, pattern, every):
     import waft.exporting  # noqa: F401
     import waft.measuring.rows  # noqa: F401
     import waft.page.writing  # noqa: F401
-    import waft.pipeline  # noqa: F401
     import waft.render.stage  # noqa: F401
+    import waft.run.engine  # noqa: F401
     import waft.synthesis  # noqa: F401
 
     cases = [case for group in groups.split(",") for case in importlib.import_module(f"cases_{group}").cases()

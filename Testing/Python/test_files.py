@@ -11,12 +11,11 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import waft
 from result_files import PolyData
-from waft.files import half, write_rounded, write_xml
-from waft.writing import AIR_INTERVAL, spaced, write_tracks
+from waft.files import write_xml
 
 
 def poses(objects=3, frames=50):
@@ -76,55 +75,6 @@ class Files(unittest.TestCase):
         self.assertTrue(np.array_equal(plain.points, arrays(data)["Points"]))
         self.assertTrue(np.array_equal(plain.point["Orientation"], arrays(data)["Orientation"]))
         self.assertEqual([50, 50, 50], [len(line) for line in plain.lines])
-
-    def test_motion_keeps_all_digits_and_what_drives_it_seven(self):
-        data = poses()
-        before = {name: values.copy() for name, values in arrays(data).items()}
-        write_tracks(data, self.folder / "poses.vtp")
-        read_back = arrays(read(vtkXMLPolyDataReader(), self.folder / "poses.vtp"))
-        for name, values in before.items():
-            self.assertEqual(values.dtype, read_back[name].dtype, name)
-            self.assertTrue(np.array_equal(values, arrays(data)[name]), "the run's own data stay")
-            if name in ("Points", "Orientation", "AngularVelocity", "Time", "Frame"):
-                self.assertTrue(np.array_equal(values, read_back[name]), name)
-            else:
-                self.assertFalse(np.array_equal(values, read_back[name]), name)
-                np.testing.assert_allclose(read_back[name], values, rtol=6e-8)
-
-    def test_rounded_data_are_smaller_files(self):
-        write_xml(poses(20, 300), self.folder / "exact.vtp")
-        write_rounded(poses(20, 300), self.folder / "rounded.vtp")
-        exact, rounded = ((self.folder / name).stat().st_size for name in ("exact.vtp", "rounded.vtp"))
-        self.assertLess(rounded, 0.75 * exact)
-
-    def test_an_air_is_halves_to_a_512th_of_what_is_typical(self):
-        values = np.random.RandomState(3).standard_normal((12, 11, 10, 3)).astype(np.float32)
-        values[0] = 0.0
-        data = image(values)
-        half(data)
-        write_xml(data, self.folder / "air.vti")
-        found = vtk_to_numpy(read(vtkXMLImageDataReader(), self.folder / "air.vti").GetPointData().GetArray(0)).reshape(values.shape)
-        self.assertTrue(np.array_equal(found, found.astype(np.float16)))
-        self.assertTrue((found[0] == 0.0).all())
-        typical = np.sqrt(np.mean(values ** 2))
-        self.assertLessEqual(np.abs(found - values).max(), typical / 256)
-        self.assertLess(np.sqrt(np.mean((found - values) ** 2)), typical / 512)
-
-    def test_an_air_without_any_wind_or_points_stays(self):
-        data = image(np.zeros((2, 2, 2, 3), np.float32))
-        half(data)
-        self.assertTrue((vtk_to_numpy(data.GetPointData().GetArray(0)) == 0.0).all())
-
-    def test_times_keep_their_distance_the_last_is_there(self):
-        def chosen(count, rate):
-            return [step for step, _ in spaced([k / rate for k in range(count)], AIR_INTERVAL)]
-
-        self.assertEqual(chosen(11, 30.0), [0, 3, 6, 9, 10])
-        self.assertEqual(chosen(10, 30.0), [0, 3, 6, 9])
-        self.assertEqual(chosen(10, 24.0), [0, 2, 4, 6, 8, 9])
-        self.assertEqual(chosen(5, 8.0), [0, 1, 2, 3, 4])  # frames that are farther apart
-        self.assertEqual(chosen(1, 30.0), [0])
-        self.assertEqual([step for step, _ in spaced([0.0, 0.1, 0.2], 0.0)], [0, 1, 2])
 
 
 class Portable(unittest.TestCase):

@@ -66,7 +66,7 @@ class Info(unittest.TestCase):
 
     def checkpoint(self, *states):
         folder = self.out / "checkpoint"
-        manifest = self.put([*PLAN.values(), "report.csv"], folder)
+        manifest = self.put([*PLAN, "report.csv"], folder)
         (folder / "key").write_text(json.dumps({"key": KEY, "objects": [], "manifest": manifest}), encoding="utf-8")
         for state in states:
             (folder / state).write_bytes(b"state")

@@ -81,7 +81,7 @@ class Base(unittest.TestCase):
 class LoadTest(Base):
     def test_a_flight_comes_back_and_nothing_is_flown(self):
         before, files = simple.GetSources(), manifest_of(self.out)
-        with mock.patch("waft.run.pipeline.Pipeline.__init__", side_effect=AssertionError("flown")):
+        with mock.patch("waft.run.engine.Engine.__init__", side_effect=AssertionError("flown")):
             run = waft.load(self.out)
             for name in ("positions", "orientations", "times", "object_ids"):
                 self.assertEqual(getattr(self.flown, name).tobytes(), getattr(run, name).tobytes())

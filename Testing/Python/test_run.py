@@ -15,6 +15,7 @@ import shutil
 import signal
 import tempfile
 import threading
+import time
 import unittest
 from typing import Optional
 from unittest import mock
@@ -142,6 +143,21 @@ class RunTest(unittest.TestCase):
         self.assertEqual((first.tobytes(), report), (run.positions.tobytes(), run.report))
         self.assertFalse((self.folder / "seeds" / "checkpoint").exists())
 
+    def test_stages_begin_with_what_was_flown(self):
+        run = waft.synthesize(small_scene(), quality="preview", threads=1, _settings={"Assimilation": COARSE})
+        self.addCleanup(run.delete)
+        flown = run.positions
+        began = time.process_time()
+        self.assertGreater(run.output("assimilation", 5).GetNumberOfRows(), 1)
+        self.assertEqual(flown.tobytes(), run.positions.tobytes())  # of the rotation stage now
+        self.assertLess(time.process_time() - began, 0.5 * run.watches["assimilation"].processor_seconds)
+        run.assimilation.WindRounds = 0
+        run.rotation.UpdatePipeline()
+        self.assertGreater(np.abs(run.positions - flown).max(), 0.0)
+        changed = run.positions
+        run.save(self.folder / "changed")
+        self.assertEqual(changed.tobytes(), waft.load(self.folder / "changed").positions.tobytes())
+
     def test_stages_that_live_on_write_nothing_of_the_run(self):
         run = waft.synthesize(small_scene(), output=self.folder / "over", quality="preview", threads=1, _settings={"Assimilation": COARSE})
         self.addCleanup(run.delete)
@@ -202,7 +218,7 @@ class RunTest(unittest.TestCase):
 
     def test_nothing_private_is_shown_of_it(self):
         self.assertEqual(PUBLIC, {name for name in dir(self.run_) if not name.startswith("__")})
-        self.assertEqual(self.run_.planner, self.run_.pipeline.planner)  # a name of before still is one
+        self.assertEqual(self.run_.scene_file, self.run_.pipeline.scene_file)  # a name of before still is one
         with self.assertRaises(AttributeError):
             self.run_.positons
 
@@ -301,17 +317,15 @@ class OptionsTest(unittest.TestCase):
 
 class MemoryTest(unittest.TestCase):
     def test_too_little_memory_is_no_fault_of_the_input(self):
-        from types import SimpleNamespace
-
-        from waft.pipeline import Pipeline
+        from waft.run.engine import Engine
 
         for message, kind, status in (("Planner: expected an input that fits into memory, found too little memory for it", waft.WaftError, 1),
                                       ("Planner: expected an input that fits into memory, found one beyond any", waft.BadInput, 2)):
-            pipeline = Pipeline.__new__(Pipeline)
-            pipeline.database, pipeline.planner = None, SimpleNamespace(UpdatePipeline=lambda: None)
-            pipeline.watches = {"planner": SimpleNamespace(clock=mock.Mock(), errors=[message], was_aborted=False,
-                                                           seconds=0.0, processor_seconds=0.0, peak_mb=0.0)}
-            with self.assertRaises(waft.WaftError) as raised:
-                pipeline.update("planner")
+            engine = Engine.__new__(Engine)
+            engine.source, engine.algorithm, engine.warnings = mock.Mock(), mock.Mock(), []
+            said = mock.patch("waft.run.engine.collect", lambda _, event, texts, message=message: (
+                mock.Mock(), texts.append(message) if event == "ErrorEvent" else None))
+            with said, self.assertRaises(waft.WaftError) as raised:
+                engine._update(mock.Mock(), lambda: None)
             self.assertIs(kind, type(raised.exception))
             self.assertEqual((message, status), (str(raised.exception), raised.exception.status))

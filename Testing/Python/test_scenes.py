@@ -11,9 +11,9 @@ import sys
 import tempfile
 import unittest
 
+from paraview import simple
 from waft.files import table_rows
 from waft.loading import load_plugin
-from waft.pipeline import Pipeline
 from waft.loading import set_threads
 
 FOLDER, *NAMES = map(pathlib.Path, sys.argv[1:])
@@ -42,12 +42,9 @@ class ScenesTest(unittest.TestCase):
             self.assertTrue(f"`{name}`" in text or f"`{scene.name}`" in text or f"`{name[:-1]}a`, `-b`" in text, name)
 
     def unmet(self, scene):
-        pipeline = Pipeline(scene)
-        pipeline.reader.FileName = str(scene)
-        pipeline.reader.UpdatePipeline()
-        pipeline.add_planner(int(pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)))
-        pipeline.planner.UpdatePipeline()
-        header, rows = table_rows(pipeline.output("planner", 2))
+        animation = simple.WaftAnimation(FileName=str(scene), StopAfter="Plan")
+        animation.UpdatePipeline()
+        header, rows = table_rows(animation.GetClientSideObject().GetOutputDataObject(7))
         rows = [dict(zip(header, row)) for row in rows]
         self.assertGreater(len(rows), 0)
         return [row for row in rows if row["Status"] != "met"]

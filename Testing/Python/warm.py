@@ -16,7 +16,7 @@ import tempfile
 import traceback
 
 # What a run loads late.
-LOADED = ("waft.cli", "waft.render.stage", "waft.results.writing", "waft.run.database", "waft.run.pipeline", "waft.run.result",
+LOADED = ("waft.cli", "waft.render.stage", "waft.results.writing", "waft.run.database", "waft.run.engine", "waft.run.result",
           "waft.run.synthesis", "waft.scene.checking", "waft.scene.starting", "paraview.catalyst.detail")
 
 

@@ -72,7 +72,8 @@ KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int 
 int KeptStage::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                                    vtkInformationVector* outputs)
 {
-  const bool isCurrent = !this->IsActive() || this->Cache.IsCurrent(this->Stage, inputs);
+  const bool isCurrent =
+    !this->IsActive() || this->Giver || this->Cache.IsCurrent(this->Stage, inputs);
   this->Fields.RequestSteps(this->Stage, request, inputs, outputs, isCurrent);
   return 1;
 }
@@ -88,7 +89,14 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
   {
     return Empty(outputs);
   }
-  if (!this->Cache.IsCurrent(this->Stage, inputs))
+  if (this->Giver)
+  {
+    if (const Result result = this->TakeGiven(inputs); !result)
+    {
+      return this->FailWith(result, outputs);
+    }
+  }
+  else if (!this->Cache.IsCurrent(this->Stage, inputs))
   {
     this->Discard();
     this->IsUnfinished = HasUnfinishedInput(this->Stage, inputs);
@@ -302,6 +310,33 @@ Result KeptStage::End(vtkInformationVector** inputs, const Result& result)
   }
   GiveMemoryBack();
   return result;
+}
+
+void KeptStage::Give(vtkAlgorithm* giver, const waft::Scene& scene, const Motion& motion)
+{
+  this->Giver = giver;
+  this->GivenScene = &scene;
+  this->GivenMotion = &motion;
+  this->Stage->Modified();
+}
+
+Result KeptStage::TakeGiven(vtkInformationVector** inputs)
+{
+  const vtkSmartPointer<vtkAlgorithm> giver = this->Giver;
+  this->Giver = nullptr;
+  this->Discard();
+  this->IsUnfinished = false;
+  this->Warnings.clear();
+  this->Keep.clear();
+  WAFT_RETURN_IF_FAILED(this->TakeScene(inputs));
+  WAFT_RETURN_IF_FAILED(this->Adopt(inputs, *this->GivenScene, *this->GivenMotion));
+  this->Cache.MarkCurrent(this->Stage, inputs);
+  return Result::Ok();
+}
+
+Result KeptStage::Adopt(vtkInformationVector**, const waft::Scene&, const Motion&)
+{
+  return Result::Ok();
 }
 
 void KeptStage::Discard()

@@ -19,6 +19,7 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Constraints/Constraint.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
 
@@ -30,6 +31,9 @@
 
 namespace waft
 {
+
+struct Motion;
+struct Scene;
 
 /// Whether an input shows what there is of it so far.
 bool HasUnfinishedInput(vtkAlgorithm* stage, vtkInformationVector** inputs);
@@ -56,6 +60,9 @@ public:
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs);
 
+  /// The next update gives what a motion of a scene has, as if the stage had come to it by itself.
+  /// giver: whose both are.
+  void Give(vtkAlgorithm* giver, const waft::Scene& scene, const Motion& motion);
   /// The next update goes on with work that has not ended; nothing where none is.
   void GoOn();
   /// From now on work that an update leaves goes on beside.
@@ -82,6 +89,9 @@ protected:
   /// Rejoin alone.
   virtual Result Run(vtkInformationVector** inputs, Monitor& monitor) = 0;
   void Rejoin() { this->Held.Rejoin(); }
+  /// Fills the Kept outputs with what a motion has of the stage, in the place of Run.
+  virtual Result Adopt(vtkInformationVector** inputs, const waft::Scene& scene,
+                       const Motion& motion);
   /// Seconds of work in an update; 0: all.
   virtual double Slice() const { return 0.0; }
   /// Fills the Kept outputs with what the run that is held has come to.
@@ -144,6 +154,7 @@ private:
   Result Advance(vtkInformationVector** inputs, double seconds);
   Result PublishHeld(vtkInformationVector** inputs);
   Result End(vtkInformationVector** inputs, const Result& result);
+  Result TakeGiven(vtkInformationVector** inputs);
   void Show(vtkInformation* request, vtkInformationVector* outputs);
   int FailWith(const Result& result, vtkInformationVector* outputs);
   void GiveKept(vtkInformationVector* outputs) const;
@@ -163,6 +174,9 @@ private:
   SlicedRun::Progress Reached;
   std::chrono::steady_clock::time_point LastLook = std::chrono::steady_clock::now();
   std::vector<vtkSmartPointer<vtkDataObject>> Keep; // by output port, null where it varies
+  vtkSmartPointer<vtkAlgorithm> Giver;              // of what is given
+  const waft::Scene* GivenScene = nullptr;
+  const Motion* GivenMotion = nullptr;
 };
 
 } // namespace waft

@@ -29,7 +29,7 @@ Result MotionOutputs::KeepMotion()
 {
   this->KeepPaths();
   WAFT_RETURN_IF_FAILED(this->KeepPoses());
-  if (this->Made.Seconds.count(ChainStage::VortexFit) > 0 || !this->Made.Fit.Vortices.empty())
+  if (this->Made.Efforts.count(ChainStage::VortexFit) > 0 || !this->Made.Fit.Vortices.empty())
   {
     AirVortexFitToPolyData(this->Made.Fit, this->Scene,
                            this->Kept<vtkPolyData>(FittedVorticesPort));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Chain/ChainOptions.h"
 
+#include <type_traits>
+
 #include "Base/Limits.h"
 
 namespace waft
@@ -34,6 +36,52 @@ ChainOptions ChainOptions::At(Quality quality)
     options.Air.Rounds = 1;
   }
   return options;
+}
+
+namespace
+{
+
+template <class Options>
+bool SetField(Options& options, const std::string& name, double value)
+{
+  bool isThere = false;
+  Options::Visit(
+    [&](const OptionField& field, auto& own)
+    {
+      using Own = std::decay_t<decltype(own)>;
+      if constexpr (IsNumber<Own>)
+      {
+        if (field.Name == name)
+        {
+          own = static_cast<Own>(value);
+          isThere = true;
+        }
+      }
+    },
+    options);
+  return isThere;
+}
+
+} // namespace
+
+bool ChainOptions::Set(ChainStage stage, const std::string& name, double value)
+{
+  switch (stage)
+  {
+    case ChainStage::Planner:
+      return SetField(this->Plan, name, value);
+    case ChainStage::Assimilation:
+      return SetField(this->Air, name, value) || SetField(this->Turning, name, value);
+    case ChainStage::Spacetime:
+      return SetField(this->Optimiser, name, value);
+    case ChainStage::Rotation:
+      return SetField(this->Rotation, name, value);
+    case ChainStage::VortexFit:
+      return SetField(this->Fit, name, value);
+    case ChainStage::Scene:
+      break;
+  }
+  return false;
 }
 
 } // namespace waft

@@ -24,9 +24,12 @@ struct ChainOptions
   /// Seconds after which the best motion so far is turned and given; 0: no limit. With a limit two
   /// runs may differ.
   double TimeLimit = 0.0;
+  /// The motion has the plan already: what an earlier run left of it.
+  bool HasPlan = false;
   PlanOptions Plan;
   TakeOptions Takes;
   AssimilationOptions Air;
+  RotationOptions Turning; // of bodies while the air is looked for
   SpacetimeOptions Optimiser;
   RotationOptions Rotation;
   VortexFitOptions Fit; // its Bounds are the scene's
@@ -34,15 +37,21 @@ struct ChainOptions
   Result Validate() const;
   /// Those of a quality: the defaults, and of a preview a coarse air.
   static ChainOptions At(Quality quality);
+  /// Sets an option of a stage by their names in the table. False where there is none.
+  bool Set(ChainStage stage, const std::string& name, double value);
 };
 
 /// What one source of a whole run has for properties, besides those of the takes and of slices.
 struct FlightOptions
 {
   std::string FileName;
+  std::string Database;
+  std::string EditOf;
   int Quality = 0;
   int Seed = -1;
   int StopAfter = 5;
+  double TimeLimit = 0.0;
+  double MemoryLimit = 0.0;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -65,6 +74,26 @@ struct FlightOptions
       OptionField{
         "StopAfter", { 0, 5 }, "", "The last stage that runs; the ports of later ones are empty." },
       of.StopAfter...);
+    visit(TextField("Database", "A motion database, .vtm; empty: the one that comes with Waft."),
+          of.Database...);
+    visit(TextField("EditOf",
+                    "The State File of a run of the same scene that differs in some objects' rows: "
+                    "the same air, and only what changed drifts again; empty: none."),
+          of.EditOf...);
+    visit(OptionField{ "TimeLimit",
+                       { 0, 1e+09 },
+                       "s",
+                       "Seconds after which the best motion so far is given. With a limit two runs "
+                       "may differ." }
+            .Or("no limit"),
+          of.TimeLimit...);
+    visit(OptionField{ "MemoryLimit",
+                       { 0, 1e+09 },
+                       "MB",
+                       "Megabytes that the optimiser may take besides its input; with less than it "
+                       "needs it takes several times as long." }
+            .Or("no limit"),
+          of.MemoryLimit...);
   }
 };
 

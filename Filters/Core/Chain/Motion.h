@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Air/Run/AirAssimilation.h"
+#include "Base/Effort.h"
 #include "Chain/ChainTable.h"
 #include "Chain/JoinedReport.h"
 #include "Planning/Takes.h"
@@ -32,8 +33,9 @@ struct Motion
   std::vector<JoinedRow> Report;
   /// Of the stages that ran, a sentence each.
   std::map<ChainStage, std::vector<std::string>> Warnings;
-  std::map<ChainStage, double> Seconds; // of work, of the stages that worked in this run
-  bool IsStopped = false;               // by the caller or the TimeLimit: the best so far
+  std::map<ChainStage, Effort> Efforts;     // of the stages that worked in this run
+  bool IsStopped = false;                   // by the caller or the TimeLimit: the best so far
+  ChainStage StoppedIn = ChainStage::Scene; // the first stage that was, where it is
 
   /// The last stage that moved the objects, in the end or so far.
   ChainStage MovedBy() const;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace waft
@@ -19,6 +20,8 @@ namespace
 {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double HurriedInterval = 0.1; // s
 
 /// Fields of the air's velocity at all frames, one after another.
 FieldSeries AirOfFrames(const SampledAir& air, const Timeline& line)
@@ -90,6 +93,7 @@ private:
   std::vector<ObstacleMesh> Obstacles;
   FieldSeries Wind;
   std::uint64_t Key = 0;        // of the stage that works
+  bool Hurries = false;         // somebody stopped it, and waits
   double Done = 0.0, All = 0.0; // shares of the time
 };
 
@@ -118,7 +122,7 @@ void Chain::SetUp()
     this->All += this->Wants(stage.Stage) ? stage.Share : 0.0;
   }
   this->Made.IsStopped = false;
-  this->Made.Seconds.clear();
+  this->Made.Efforts.clear();
   this->Made.Report.clear();
 }
 
@@ -220,7 +224,7 @@ Result Chain::Do(ChainStage stage)
     this->Clear(stage);
     return Result::Ok();
   }
-  const auto start = Clock::now();
+  const Effort start = Effort::Now();
   const double begin = this->Done;
   this->Done += TraitsOf(stage).Share / this->All;
   PartMonitor part(this->Whole, begin, this->Done);
@@ -228,27 +232,43 @@ Result Chain::Do(ChainStage stage)
   Monitor& monitor = this->Made.IsStopped ? static_cast<Monitor&>(silent) : part;
   this->Key = 0;
   const auto before = this->Memory.Keys.count(stage) > 0 ? this->Memory.Keys[stage] : 0;
+  if (this->Inputs.Begins)
+  {
+    this->Inputs.Begins(stage);
+  }
   const Result result = (this->*WorkOf(stage).Run)(monitor);
   if (!result)
   {
     this->Clear(stage);
     return result;
   }
-  this->Made.IsStopped = this->Made.IsStopped || result.IsStopped() ||
-                         (this->Options.TimeLimit > 0.0 && this->SecondsLeft() <= 0.0);
-  if (this->Memory.Keys.count(stage) == 0 || before != this->Key)
+  const bool isOver = this->Options.TimeLimit > 0.0 && this->SecondsLeft() <= 0.0;
+  if (!this->Made.IsStopped && (result.IsStopped() || isOver))
   {
-    this->Made.Seconds[stage] = std::chrono::duration<double>(Clock::now() - start).count();
+    this->Made.IsStopped = true;
+    this->Made.StoppedIn = stage;
+    this->Hurries = !isOver;
+  }
+  const bool isGiven = stage == ChainStage::Planner && this->Options.HasPlan;
+  if (!isGiven && (this->Memory.Keys.count(stage) == 0 || before != this->Key))
+  {
+    this->Made.Efforts[stage] = Effort::Now().Since(start);
   }
   if (!this->Made.IsStopped)
   {
     this->Memory.Keys[stage] = this->Key;
   }
-  return Result::Ok();
+  const bool isHalfPlanned = stage == ChainStage::Planner && result.IsStopped();
+  return this->Inputs.Ended && !isHalfPlanned ? this->Inputs.Ended(stage) : Result::Ok();
 }
 
 Result Chain::Plan(Monitor& monitor)
 {
+  if (this->Options.HasPlan)
+  {
+    this->Key = DigestOf(this->Made.Plan.Tracks);
+    return Result::Ok();
+  }
   const Scene& scene = this->Inputs.TheScene;
   MotionProblem problem{ scene.Info,     {}, scene.Objects, scene.Constraints, this->Obstacles,
                          scene.Vortices, {} };
@@ -258,8 +278,10 @@ Result Chain::Plan(Monitor& monitor)
   }
   ObstacleSet obstacles;
   WAFT_RETURN_IF_FAILED(BuildPlanObstacles(this->Obstacles, obstacles));
-  const PlanInput input{ this->Inputs.Database, scene.Objects, scene.Constraints, obstacles,
-                         scene.Info };
+  const PlanInput input{
+    this->Inputs.Database, scene.Objects, scene.Constraints, obstacles, scene.Info, {},
+    this->Inputs.Ranks
+  };
   const Result result = PlanTakes(input, this->Options.Plan, this->Options.Takes, this->Parallel,
                                   monitor, this->Made.Plan, this->Made.Takes, &this->Memory.Plans);
   this->Made.Warnings[ChainStage::Planner] =
@@ -270,9 +292,13 @@ Result Chain::Plan(Monitor& monitor)
 Result Chain::Assimilate(Monitor& monitor)
 {
   AssimilationInput problem{ this->ProblemOf(ChainStage::Assimilation),
-                             this->Inputs.TheScene.Shapes, this->Options.Rotation };
-  if (this->IsKept(ChainStage::Assimilation, problem, problem.Shapes, this->Options.Air,
-                   this->Options.Rotation))
+                             this->Inputs.TheScene.Shapes, this->Options.Turning,
+                             this->Inputs.Ranks };
+  AssimilationOptions motion = this->Options.Air; // without what changes nothing of it
+  motion.CheckpointFile = motion.StateFile = std::string();
+  motion.TimeLimit = 0.0;
+  if (this->IsKept(ChainStage::Assimilation, problem, problem.Shapes, motion,
+                   this->Options.Turning))
   {
     return Result::Ok();
   }
@@ -299,7 +325,10 @@ Result Chain::Optimise(Monitor& monitor)
     const std::vector<Vortex>& planned = this->Made.Plan.Vortices;
     input.Vortices.insert(input.Vortices.end(), planned.begin(), planned.end());
   }
-  if (this->IsKept(ChainStage::Spacetime, input, this->Options.Optimiser))
+  SpacetimeOptions motion = this->Options.Optimiser; // likewise
+  motion.CheckpointFile.clear();
+  motion.TimeLimit = 0.0;
+  if (this->IsKept(ChainStage::Spacetime, input, motion))
   {
     return Result::Ok();
   }
@@ -335,7 +364,13 @@ Result Chain::Turn(Monitor& monitor)
   input.Tracks = std::move(problem.Tracks);
   input.Constraints = std::move(problem.Constraints);
   AirOnTracks air(input.Tracks, scene.Info.Time);
-  for (int frame = 0; this->HasAir() && frame < scene.Info.Time.NumberOfFrames; ++frame)
+  // To somebody who waits a tenth of a second between two fields is good enough.
+  const int step =
+    this->Hurries
+      ? std::max(1,
+                 static_cast<int>(std::lround(HurriedInterval * scene.Info.Time.FramesPerSecond)))
+      : 1;
+  for (int frame = 0; this->HasAir() && frame < scene.Info.Time.NumberOfFrames; frame += step)
   {
     WAFT_RETURN_IF_FAILED(
       air.Add(FieldAt(this->Made.Air.Air->Velocity, scene.Info.Time.Time(frame))));
@@ -346,6 +381,7 @@ Result Chain::Turn(Monitor& monitor)
   input.Air = &air;
   input.Obstacles = &obstacles;
   input.Wind = &this->Wind;
+  input.Ranks = this->Inputs.Ranks;
   const Result result =
     RunRotationRefine(input, this->Options.Rotation, this->Parallel, monitor, this->Made.Turned);
   if (result && !result.IsStopped())

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "Air/Run/AssimilationState.h"
+#include "Base/Communicator.h"
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
@@ -20,6 +21,7 @@
 #include "Trajectory/MotionDatabase.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 
 namespace waft
@@ -30,6 +32,13 @@ struct ChainInputs
   const Scene& TheScene;
   const SceneWind& Wind;
   const MotionDatabase& Database;
+  /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
+  Communicator* Ranks = nullptr;
+  /// Called before a stage works.
+  std::function<void(ChainStage stage)> Begins = {};
+  /// Called when a stage has worked, but for one that was stopped while it planned; a failure ends
+  /// the run.
+  std::function<Result(ChainStage stage)> Ended = {};
 };
 
 /// What runs leave for the next ones: outputs whose inputs and options are the same are not made

@@ -109,51 +109,6 @@ def write_xml(data, path, packs_well=False):
         _check_written(path, error.strerror)
 
 
-class XmlSeries:
-    """Files as write_xml writes them, of one data set after another, as many at once as there are threads.
-
-    with XmlSeries() as series: series.write(data, path), which are written when it ends at the latest; data stay as they are till then.
-    """
-
-    def __init__(self, packs_well=False):
-        from waft.vtkWaftSources import vtkCheckedFiles
-
-        self._files, self._packs_well = vtkCheckedFiles, packs_well
-        self._waiting = []  # (data, path)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, kind, error, traceback):
-        if kind is None:
-            self._flush()
-
-    def write(self, data, path):
-        self._waiting.append((data, path))
-        if len(self._waiting) == self._files.GetNumberOfThreads():
-            self._flush()
-
-    def _flush(self):
-        from vtkmodules.vtkCommonCore import vtkCollection, vtkStringArray
-
-        together, paths = vtkCollection(), vtkStringArray()
-        for data, path in self._waiting:
-            together.AddItem(data)
-            paths.InsertNextValue(os.fsencode(path))
-        lack = self._files.WriteTogether(paths, together, self._packs_well)
-        self._waiting = []
-        if lack:
-            raise OSError(lack)
-
-
-def write_rounded(data, path, exact=()):
-    """Like write_xml, the doubles at points with the precision of floats, which take half the room where they are compressed; points
-    and the arrays named as exact keep all digits."""
-    from waft.vtkWaftSources import vtkCheckedFiles
-
-    _check_written(path, vtkCheckedFiles.WriteRounded(os.fsencode(path), data, " ".join(exact)))
-
-
 def _check_written(path, lack):
     if lack:
         raise OSError(f"{path}: could not be written: {lack}")
@@ -198,29 +153,6 @@ def write_pvd(path, entries):
         for time, file in entries:
             stream.write(f'    <DataSet timestep="{number(time)}" part="0" file={in_xml(file)}/>\n')
         stream.write("  </Collection>\n</VTKFile>\n")
-
-
-def half(data):
-    """Rounds the point data of a VTK data set to half floats, and those near zero to a 512th of the typical value: they take
-    a third of the room where they are compressed."""
-    import numpy as np
-
-    in_steps(data, 8, np.float16)
-
-
-def in_steps(data, digits, kind=None):
-    """Rounds the point data of a VTK data set to steps that are so many binary digits below their typical value; then to numbers of
-    a kind."""
-    import numpy as np
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
-    for index in range(data.GetPointData().GetNumberOfArrays()):
-        values = vtk_to_numpy(data.GetPointData().GetArray(index))
-        typical = float(np.sqrt(np.mean(np.square(values, dtype=float)))) if values.size else 0.0
-        if typical > 0.0:
-            step = values.dtype.type(2.0 ** (np.floor(np.log2(typical)) - digits))
-            rounded = np.rint(values / step) * step
-            values[...] = rounded if kind is None else rounded.astype(kind)
 
 
 def table_rows(table):

@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import Any, Callable, Collection, Optional
 
 _PACKAGES = {"scene": ("checking", "starting"),
-             "run": ("database", "fetching", "pipeline", "repeating", "resuming", "showing", "slices", "synthesis", "takes", "unfolding",
+             "run": ("database", "fetching", "repeating", "resuming", "showing", "slices", "synthesis", "takes", "unfolding",
                      "updating"),
              "results": ("cleaning", "exporting", "store", "writing"),
              "cli": ("blenderaddon", "demo")}

@@ -86,8 +86,3 @@ def share(algorithm) -> None:
     """Has the processes of this run divide the work of a stage."""
     if _Team.controller is not None:
         algorithm.SetController(_Team.controller)
-
-
-def is_team() -> bool:
-    """Whether others work for this process: they do no stage by themselves."""
-    return _Team.controller is not None

@@ -119,6 +119,14 @@ class Effort:
         self.peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
         return self
 
+    @classmethod
+    def of(cls, told):
+        """As as_json says it."""
+        effort = cls()
+        effort.seconds, effort.processor_seconds, effort.thread_seconds, effort.peak_mb = (
+            told[name] for name in ("seconds", "processorSeconds", "threadSeconds", "peakMemoryMB"))
+        return effort
+
     def as_json(self):
         return {"seconds": self.seconds, "processorSeconds": self.processor_seconds, "threadSeconds": self.thread_seconds,
                 "peakMemoryMB": self.peak_mb}
@@ -164,13 +172,12 @@ class Clock:
 
     words: what is said when a stop comes while there is nothing to write; it is empty from keep() on. on_progress: called with
     the share that is done (0 to 1, never less than before) and a sentence; it stops the run by returning False, and ends it by
-    an exception. shares: {stage: its part of the whole}.
+    an exception.
     """
 
     def __init__(self, time_limit=None, quiet=False, words=NOTHING_COMPUTED, on_progress=None):
         self.on_progress = on_progress
         self.phase = ""  # what is said instead of a stage's own words
-        self.shares = {}
         self._done = 0.0
         self._failure = None
         self.started = time.monotonic()
@@ -256,19 +263,10 @@ class Clock:
         if name == self.stage and told and told != self._told:
             self._told = told
             say(f"waft: {name}: {text}", "detail")
-        self.report(self._whole(name, fraction), self.phase or (f"{name}: {text}" if text else name))
+        self.report(fraction, self.phase or (f"{name}: {text}" if text else name))
         if self._quiet:
             return
         print("\r\033[K" + line(f"{name} {100.0 * fraction:3.0f} %  {text or ''}")[:104], end="", file=sys.stderr)
-
-    def _whole(self, name, fraction):
-        """The share of the whole that is done."""
-        before = 0.0
-        for stage, share in self.shares.items():
-            if stage == name:
-                return (before + share * min(max(fraction, 0.0), 1.0)) / sum(self.shares.values())
-            before += share
-        return 0.0
 
     def report(self, done, text):
         """Calls on_progress."""

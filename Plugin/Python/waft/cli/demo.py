@@ -30,7 +30,7 @@ def run_demo(folder, threads=None):
         status = max(status, run.status)
         if run.stopped:
             return run.status
-        last = int(run.output("reader").GetFieldData().GetArray("NumberOfFrames").GetValue(0)) - 1
+        last = len(run.times) - 1
         say(f"{name}: rendering ...")
         with interruptible("stopped: the pictures that were drawn are whole"):
             render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540), style="dark")

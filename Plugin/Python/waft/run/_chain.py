@@ -20,16 +20,6 @@ KEPT = ("air", "state")
 _FORMER = {"air": "assimilated"}  # {quality: what it was called before}
 
 
-def settings_of(quality, name):
-    """{property: value} that a stage of the table has at a quality besides its defaults."""
-    return _TABLE["settings"][quality].get(name, {})
-
-
-def shares():
-    """{attribute of a Pipeline: the part of the time that its stage takes, roughly}."""
-    return {"database": 1, **{ATTRIBUTES[name]: stage["share"] for name, stage in STAGES.items()}}
-
-
 def quality_of(word):
     """The quality that a word names, be it what it was called before; another word as it is."""
     return next((quality for quality, former in _FORMER.items() if word == former), word)

@@ -3,28 +3,29 @@
 import dataclasses
 import pathlib
 import tempfile
-from typing import Any, Dict, List, Optional, Sequence
+from typing import Any, List, Optional, Sequence
 
 from waft import failures
-from waft.run.pipeline import Pipeline
+from waft.run.engine import Engine
 from waft.run.request import Request
 
 
-def _of_pipeline(name: str) -> Any:
-    """An attribute that is the pipeline's."""
+def _of_engine(name: str) -> Any:
+    """An attribute that is the engine's."""
     return property(lambda self: getattr(self.pipeline, name))
+
+
+def _stage(name: str) -> Any:
+    return property(lambda self: self.pipeline.stage(name))
 
 
 @dataclasses.dataclass
 class Flight:
-    """The pipeline, and what came of it."""
+    """The engine, and what came of it."""
 
-    pipeline: Pipeline
-    report: List[Dict[str, Any]]  # the constraints, a dictionary each
-    warnings: List[str]
+    pipeline: Engine
     stopped: bool  # somebody stopped it, or its time was over: the best so far
     hurries: bool  # somebody stopped it, and waits
-    stopped_in: str  # the stage
     series: List[str]  # of data that were asked for, a file a frame
     seed: int
     quality: str
@@ -34,11 +35,11 @@ class Flight:
     request: Request  # what was asked for
     scene_folder: "Optional[tempfile.TemporaryDirectory[str]]" = None  # with the file of a scene that was made here
 
-    scene_file, database_file, watches = map(_of_pipeline, ("scene_file", "database_file", "watches"))
-    reader, database, planner = map(_of_pipeline, ("reader", "database", "planner"))
-    assimilation, spacetime, rotation, fit = map(_of_pipeline, ("assimilation", "spacetime", "rotation", "fit"))
-    plan_report, plan_objects, planned = map(_of_pipeline, ("plan_report", "plan_objects", "planned"))
-    motion, moved, has_air = map(_of_pipeline, ("motion", "moved", "has_air"))
+    scene_file, database_file, watches, report = map(_of_engine, ("scene_file", "database_file", "watches", "report"))
+    plan_objects, motion, has_air, warnings, stopped_in = map(
+        _of_engine, ("plan_objects", "motion", "has_air", "warnings", "stopped_in"))
+    reader, database, planner, assimilation, spacetime, rotation, fit = map(
+        _stage, ("reader", "database", "planner", "assimilation", "spacetime", "rotation", "fit"))
 
     def output(self, name: str, port: int = 0) -> Any:
         """The data object of an output port of a stage, on this side."""

@@ -80,10 +80,12 @@ class Request:
         """The data that are asked for, a file a frame."""
         return [name for name, is_wanted in (("meshes", self.meshes), ("particles", self.particles)) if is_wanted]
 
-    def settings(self, stage: str) -> Dict[str, Any]:
-        """Properties of a stage besides its defaults and those of the quality."""
-        asked = {"MemoryLimit": self.memory_limit} if stage == "Spacetime" and self.memory_limit is not None else {}
-        return {**self._settings.get(stage, {}), **asked}
+    def settings(self) -> Dict[str, Dict[str, Any]]:
+        """{stage: {property: value}} besides defaults and those of the quality."""
+        settings = {stage: dict(own) for stage, own in self._settings.items()}
+        asked = {"MemoryLimit": self.memory_limit, "CheckpointInterval": self.checkpoint_interval}
+        settings.setdefault("Spacetime", {}).update({name: value for name, value in asked.items() if value is not None})
+        return settings
 
 
 _SAID = {name: hint.__metadata__[0] for name, hint in get_type_hints(Request, include_extras=True).items()

@@ -183,7 +183,7 @@ class Run:
 
 # What of a flight was an attribute of its Result before.
 _FORMER = ("pipeline", "hurries", "stopped_in", "series", "edit_of", "keep", "key", "scene_folder", "scene_file", "database_file", "watches",
-           "request", "plan_report", "plan_objects", "planned", "motion", "moved", "has_air")
+           "request", "plan_objects", "motion", "has_air")
 
 
 class Result(Run):
@@ -257,28 +257,17 @@ class Result(Run):
         return show(self, view)[0]
 
     def _poses(self) -> Any:
-        return self.output("rotation", 1)
+        return self._about.pipeline.poses
 
     def _scene(self) -> str:
         return os.path.basename(self._about.scene_file)
 
     @contextlib.contextmanager
     def _drawn(self) -> Iterator[Any]:
-        from waft.files import write_xml
         from waft.results._folder import load
-        from waft.results.writing import write_bodies
 
         with tempfile.TemporaryDirectory(prefix="waft-still-") as folder:
-            class Place:
-                @staticmethod
-                def path(name):
-                    path = pathlib.Path(folder) / name
-                    path.parent.mkdir(parents=True, exist_ok=True)
-                    return path
-
-            rows = self.output("assimilation", 3) if self.assimilation is not None else self._about.planned(3)
-            write_xml(rows, Place.path("constraints.vtp"))
-            write_bodies(self._about.pipeline, Place)
+            self._about.pipeline.write({"Folder": folder, "HasFields": False, "HasCsv": False, "HasAnimation": False})
             yield load(folder)
 
     def _page(self) -> str:

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a run keeps in its folder while it goes, so that another can go on from it."""
 import hashlib
+import json
 import pathlib
 import re
 import stat
 
 from waft.beneath import Folder
 from waft.failures import BadInput
-from waft.files import copy_file, write_csv, write_json, write_xml
+from waft.files import write_json
 from waft.loading import version
 from waft.reading import read_surface
 from waft.results import manifest_in, manifest_of, manifest_rows
@@ -20,31 +21,16 @@ _REPORT, _KEY = "report.csv", "key"
 _COLUMNS = {"Row": int, "Target": int, "ObjectId": int, "Frame": int, "Kind": str, "Residual": float, "Status": str, "Message": str}
 # Of the optimiser; of the assimilation on its way, and when it is done.
 _STATES = ("spacetime.state", "assimilation.state", "assimilated.state")
-_OWN = re.compile("|".join([*(re.escape(name) for name in (*PLAN.values(), _REPORT, _KEY)),
+_OWN = re.compile("|".join([*(re.escape(name) for name in (*PLAN, _REPORT, _KEY)),
                             *(re.escape(state) + r"(\.part\d+)?" for state in _STATES)]))
 
 
-def run_key(pipeline, seed, quality):
+def run_key(engine, seed, quality):
     """Tells runs apart: two of one key go the same way."""
-    database = pathlib.Path(pipeline.database_file).resolve()
+    database = pathlib.Path(engine.database_file).resolve()
     about = database.stat()
-    key = hashlib.sha256(f"{database} {about.st_size} {about.st_mtime_ns} {seed} {quality} {version()}".encode())
-    for port in range(6):
-        if port != 3:  # what the shapes mean for the motion is in the objects
-            key.update(_bytes(pipeline.output("reader", port)))
-    return key.hexdigest()
-
-
-def _bytes(data):
-    """A data set as bytes; equal ones give the same."""
-    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
-
-    writer = vtkXMLPolyDataWriter() if data.IsA("vtkPolyData") else vtkXMLImageDataWriter()
-    writer.SetInputDataObject(data)
-    writer.SetDataModeToAscii()
-    writer.WriteToOutputStringOn()
-    writer.Write()
-    return writer.GetOutputString().encode()
+    return hashlib.sha256(f"{database} {about.st_size} {about.st_mtime_ns} {seed} {quality} {version()} "
+                          f"{engine.algorithm.GetSceneDigest()}".encode()).hexdigest()
 
 
 def _manifest_in(below):
@@ -63,7 +49,7 @@ def key_and_damage(below):
     except BadInput:
         key = None
     folder = below.path / _FOLDER
-    if key is None or manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
+    if key is None or manifest is None or not {*PLAN, _REPORT} <= manifest.keys():
         return None, f"{folder / _KEY} is damaged, or of another version"
     damaged = [name for name, entry in manifest.items() if not entry.fits(below, f"{_FOLDER}/{name}")]
     return key["key"], f"{folder / damaged[0]} is damaged" if damaged else ""
@@ -90,7 +76,8 @@ class Checkpoint:
         self._below = Folder(place.root) if place.root.is_dir() else None
         self._folder = place.root / _FOLDER
         self._key = key
-        self.optimiser_file, self.assimilation_file, self.air_file = (self._folder / state for state in _STATES)
+        self.folder = self._folder
+        self.air_file = self._folder / _STATES[2]
         if self._below is not None and self._below.about(_FOLDER) is not None and not self._is_own():
             raise BadInput(f"{self._folder}: expected no such folder, or one that a stopped run left: it holds something else and "
                            "stays as it is: move it away, or choose another place for the results")
@@ -99,7 +86,7 @@ class Checkpoint:
         if not stat.S_ISDIR(self._below.about(_FOLDER).st_mode):
             return False
         names = set(self._below.names(_FOLDER))
-        is_plan = names >= {*PLAN.values(), _REPORT} or self._manifest() is not None
+        is_plan = names >= {*PLAN, _REPORT} or self._manifest() is not None
         are_own = all(_OWN.fullmatch(name) and self._below.is_regular(self._below.about(f"{_FOLDER}/{name}")) for name in names)
         return are_own and (is_plan or not names)
 
@@ -118,39 +105,39 @@ class Checkpoint:
     def _nonsense(self):
         """What cannot be read of files that are as their digests say, in words: somebody else may have written both."""
         try:
-            for name in PLAN.values():
+            for name in PLAN:
                 read_surface(self._below.file(f"{_FOLDER}/{name}"))
             columns_of(self._below.rows(f"{_FOLDER}/{_REPORT}"), _COLUMNS, self._folder / _REPORT)
         except BadInput as error:
             return f"it cannot be read: {error}"
         return ""
 
-    def begin(self, pipeline, is_found):
+    def begin(self, engine, is_found):
         """Now there is something to write, the plan at first, unless it was found here."""
         self._place.__enter__()
         self._below = self._place.folder
         if not is_found:
-            self.keep_plan(pipeline)
+            self.keep_plan(engine)
 
-    def keep_plan(self, pipeline):
+    def keep_plan(self, engine):
         """Takes the place of whatever another run left."""
         folder = self._place.apart(_FOLDER)
-        for port, name in PLAN.items():
-            write_xml(pipeline.planned(port), folder / name)
-        header = list(pipeline.plan_report[0]) if pipeline.plan_report else []
-        write_csv(folder / _REPORT, header, [list(row.values()) for row in pipeline.plan_report])
-        write_json(folder / _KEY, {"key": self._key, "objects": pipeline.plan_objects, "manifest": manifest_rows(manifest_of(folder))})
+        wrong = engine.algorithm.WritePlan(str(folder))
+        if wrong:
+            raise OSError(wrong)
+        objects = json.loads(engine.algorithm.GetFlight())["objects"]
+        write_json(folder / _KEY, {"key": self._key, "objects": objects, "manifest": manifest_rows(manifest_of(folder))})
         self.clear()
         self._place.put(_FOLDER)
 
-    def take_plan(self, pipeline):
-        pipeline.take_plan(*(self._below.file(f"{_FOLDER}/{name}") for name in PLAN.values()))
-        pipeline.plan_report = self._below.rows(f"{_FOLDER}/{_REPORT}")
-        pipeline.plan_objects = record_of(self._below, f"{_FOLDER}/{_KEY}", KEPT)["objects"]
+    def take_plan(self, engine):
+        engine.take_plan(*(read_surface(self._below.file(f"{_FOLDER}/{name}")) for name in PLAN), self._below.rows(f"{_FOLDER}/{_REPORT}"))
+        engine.plan_objects = record_of(self._below, f"{_FOLDER}/{_KEY}", KEPT)["objects"]
 
-    def copy_plan(self, name):
-        """One of the plan's files among the results: the same bytes whether the plan was made or taken."""
-        copy_file(self._below.file(f"{_FOLDER}/{name}"), self._place.path(name))
+    @property
+    def planned_file(self):
+        """What is planned.vtp among the results: the same bytes whether the plan was made or taken."""
+        return self._below.file(f"{_FOLDER}/{PLAN[0]}")
 
     def hand_on(self, store):
         """The state of the air, done, is kept in a Store for later edits."""

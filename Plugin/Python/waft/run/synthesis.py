@@ -5,18 +5,16 @@ import dataclasses
 import os
 import pathlib
 import tempfile
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from waft import failures
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
-from waft.processes import is_team, share
 from waft.reading import check_scene_file
 from waft.results._records import REPORT, record_of
 from waft.results.store import Store
-from waft.results.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
-from waft.run._chain import WITHOUT, settings_of, shares, word_in_keys
-from waft.run._constraints import constraint_report
+from waft.results.writing import STATE, left_out, result_names, result_place, settled, write_results
+from waft.run._chain import word_in_keys
 from waft.run.request import Request, by_options
 from waft.run.resuming import Checkpoint, run_key
 from waft.scene import Scene
@@ -51,21 +49,10 @@ def synthesize(request: Request) -> "Result":
         raise failures.BadInput(str(error).replace(path, "scene")) from error
 
 
-@dataclasses.dataclass(frozen=True)
-class _Course:
-    """What the stages of a run go by. edit_of: the file with the air to keep."""
-
-    request: Request
-    seed: int
-    edit_of: Optional[pathlib.Path]
-    clock: Clock
-    checkpoint: Optional[Checkpoint]
-
-
 def _fly(request, scene_folder=None):
     """A scene that is a file."""
     from waft.run._flight import Flight
-    from waft.run.pipeline import Pipeline
+    from waft.run.engine import Engine
     from waft.run.result import Result
 
     scene, output, quality = request.scene, request.output, request.way
@@ -75,54 +62,57 @@ def _fly(request, scene_folder=None):
         place = result_place(output) if output is not None and is_first_rank() else None
         if place is not None:
             stack.push(place)  # entered when there is something to write: until then a stop leaves nothing
-        pipeline = Pipeline(scene, request.database)
-        stack.push(lambda error, *_: error and pipeline.delete())  # nobody else has a hold of its stages then
-        # What a stage says once it is the caller's, of an input that he changed, is for him to read.
-        stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
+        engine = Engine(scene, quality, request.database)
+        stack.push(lambda error, *_: error and engine.delete())  # nobody else has a hold of its source then
         with Clock(request.time_limit, request.quiet, "stopped before the paths were planned: nothing was written",
                    request.on_progress) as clock:
-            clock.shares = {name: share for name, share in shares().items() if name not in WITHOUT[quality]}
-            pipeline.read(clock)
-            scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
+            engine.read(clock)
             edit_of = _state_of(request.edit_of, quality)
-            seed = request.seed if request.seed is not None else _seed_of(request.edit_of, int(scene_seed))
-            key = run_key(pipeline, seed, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
+            engine.source.Seed = seed = request.seed if request.seed is not None else _seed_of(request.edit_of, engine.seed)
+            engine.set_options(request.settings())
+            key = run_key(engine, seed, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
             checkpoint = None
             if place is not None:
                 place.look(result_names(scene, request))
                 checkpoint = Checkpoint(place, key)
+                engine.algorithm.SetCheckpointFolder(str(checkpoint.folder))
             resumes = request.resume and checkpoint is not None
             lack = checkpoint.lack() if resumes else ""
-            warnings = []
+            is_found = resumes and not lack
             if request.edit_of is not None and edit_of is None:
-                warnings.append(f"edit_of: {request.edit_of}: the state of that run is kept no more: flown from the start, in an air "
-                                "of its own")
+                engine.warnings.append(f"edit_of: {request.edit_of}: the state of that run is kept no more: flown from the start, in an air "
+                                       "of its own")
             if lack:
-                warnings.append(f"--resume: {output}: {lack}: done from the start")
+                engine.warnings.append(f"--resume: {output}: {lack}: done from the start")
+            if is_found:
+                checkpoint.take_plan(engine)
+            air = checkpoint.air_file if is_found and checkpoint.air_file.is_file() else edit_of  # it was done when the run was stopped
+            engine.source.EditOf = str(air or "")
+
+            def planned():
+                clock.keep()
+                if checkpoint is not None:
+                    checkpoint.begin(engine, is_found)
             try:
-                course = _Course(request, seed, edit_of, clock, checkpoint)
-                stopped_in = _run(pipeline, course, is_found=resumes and not lack)
+                engine.fly(clock, planned)
             except failures.BadInput:
                 if place is not None and place.folder is not None:
                     checkpoint.clear()
                 raise
             clock.check_progress()
             stopped, hurries = clock.interrupted or clock.timed_out, clock.interrupted
-        if pipeline.motion[0] == "planner":
-            warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
-        warnings += [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
-        report = constraint_report(pipeline)
-        flight = Flight(pipeline, report=report, warnings=warnings, stopped=stopped, hurries=hurries, stopped_in=stopped_in,
-                        series=request.series, keep=tuple(request.keep), seed=seed, quality=quality, edit_of=edit_of, key=key,
-                        request=request, scene_folder=scene_folder)
+        if engine.moved_by == "planner":
+            engine.warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
+        flight = Flight(engine, stopped=stopped, hurries=hurries, series=request.series, keep=tuple(request.keep), seed=seed, quality=quality,
+                        edit_of=edit_of, key=key, request=request, scene_folder=scene_folder)
         if place is not None:
             clock.phase = "writing the results"
             clock.report(0.0, clock.phase)
-            write_results(flight, place, checkpoint)
-            if checkpoint is not None and not stopped:
+            write_results(flight, place, checkpoint.planned_file, checkpoint.air_file)
+            if not stopped:
                 checkpoint.hand_on(Store())
                 checkpoint.clear()
-                _forget_files(pipeline)
+                engine.algorithm.SetCheckpointFolder("")  # the source, which lives on, writes no more what was the run's
         clock.report(1.0, "stopped early" if stopped else "done")
         clock.check_progress()
         clock.hand_on()
@@ -182,112 +172,3 @@ def is_first_rank():
 
     controller = vtkMultiProcessController.GetGlobalController()
     return controller is None or controller.GetLocalProcessId() == 0
-
-
-def _run(pipeline, course, is_found):
-    """Runs the stages of the quality; returns the one in which it was stopped, or an empty text. is_found: the plan of an earlier
-    run is taken."""
-    request, clock, checkpoint = course.request, course.clock, course.checkpoint
-    optimises = "spacetime" not in WITHOUT[request.way]
-    if optimises:
-        _check_room(pipeline, request.settings("Spacetime"))
-    if is_found:
-        checkpoint.take_plan(pipeline)
-    else:
-        pipeline.add_planner(course.seed)
-        share(pipeline.planner.GetClientSideObject())
-        pipeline.watch("planner", clock)
-        pipeline.update("planner")
-        pipeline.plan_report = read_rows(pipeline.output("planner", 2))
-        pipeline.plan_objects = planned_objects(pipeline)
-    clock.keep()
-    if checkpoint is not None:
-        checkpoint.begin(pipeline, is_found)
-
-    # After a stop no stage begins but the rotation: the motion so far is turned and written.
-    stopped_in = "planner" if clock.should_stop() else ""
-    if "assimilation" not in WITHOUT[request.way] and not clock.should_stop():
-        _assimilate(pipeline, course)
-        stopped_in = "assimilation" if clock.should_stop() else ""
-    if optimises and not clock.should_stop():
-        _optimise(pipeline, course)
-        stopped_in = "spacetime" if clock.should_stop() else ""
-    pipeline.add_rotation(course.seed, clock.interrupted)
-    for setting, value in course.request.settings("Rotation").items():
-        setattr(pipeline.rotation, setting, value)
-    share(pipeline.rotation.GetClientSideObject())
-    pipeline.watch("rotation", clock)
-    pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
-    if "fit" not in WITHOUT[request.way] and not clock.should_stop():
-        _fit(pipeline, course)
-    return stopped_in
-
-
-def _assimilate(pipeline, course):
-    pipeline.add_assimilation(course.seed)
-    share(pipeline.assimilation.GetClientSideObject())
-    if course.edit_of is not None:
-        pipeline.assimilation.EditOf = str(course.edit_of)
-    if course.checkpoint is not None:
-        pipeline.assimilation.CheckpointFile = str(course.checkpoint.assimilation_file)
-        pipeline.assimilation.StateFile = str(course.checkpoint.air_file)
-        if course.checkpoint.air_file.is_file():  # it was done when the run was stopped
-            pipeline.assimilation.EditOf = str(course.checkpoint.air_file)
-    of_quality = settings_of(course.request.way, "Assimilation")
-    _update("assimilation", pipeline, course, {**of_quality, **course.request.settings("Assimilation")})
-
-
-def _optimise(pipeline, course):
-    pipeline.add_spacetime()
-    if is_team():
-        pipeline.spacetime.GetClientSideObject().SetController(None)  # the others do not update it
-    if course.checkpoint is not None:
-        pipeline.spacetime.CheckpointFile = str(course.checkpoint.optimiser_file)
-        if course.request.checkpoint_interval is not None:
-            pipeline.spacetime.CheckpointInterval = course.request.checkpoint_interval
-    _update("spacetime", pipeline, course, course.request.settings("Spacetime"))
-
-
-def _fit(pipeline, course):
-    pipeline.add_fit(course.seed)
-    pipeline.watch("fit", course.clock)
-    for setting, value in settings_of(course.request.way, "VortexFit").items():
-        setattr(pipeline.fit, setting, value)
-    pipeline.update("fit", can_stop=False)  # quick
-
-
-def _update(name, pipeline, course, settings):
-    """Updates a stage of some length, which takes what is left of the time."""
-    stage, clock = getattr(pipeline, name), course.clock
-    watch = pipeline.watch(name, clock)
-    for setting, value in settings.items():
-        setattr(stage, setting, value)
-    left = clock.remaining()
-    if left is not None:
-        stage.TimeLimit = max(left, 0.001)
-    pipeline.update(name)
-    clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
-
-
-def _forget_files(pipeline):
-    """The stages, which live on, write no more what was the run's."""
-    for stage in (pipeline.assimilation, pipeline.spacetime):
-        for name in ("CheckpointFile", "StateFile"):
-            if stage is not None and name in stage.ListProperties():
-                setattr(stage, name, "")
-                stage.UpdateVTKObjects()
-
-
-def _check_room(pipeline, settings):
-    """Raises BadInput when the optimiser could not take the scene, before anything is planned for it."""
-    from waft.vtkWaftFilters import vtkSPHSpacetimeFilter
-
-    optimiser = vtkSPHSpacetimeFilter()
-    for name, value in settings.items():
-        getattr(optimiser, f"Set{name}")(value)
-    objects = pipeline.output("reader")
-    frames = objects.GetFieldData().GetArray("NumberOfFrames").GetValue(0)
-    volume = pipeline.reader.GetClientSideObject().GetVolumeAboveGround()
-    lack = optimiser.CheckRoom(volume, frames, objects.GetNumberOfPoints())
-    if lack:
-        raise failures.BadInput(f"{pipeline.reader.FileName}: {lack}")
