@@ -10,6 +10,7 @@
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Files/EmbeddedDatabase.h"
 #include "Bridge/Files/FlightFiles.h"
+#include "Bridge/Files/FlightJson.h"
 #include "Bridge/Files/InstalledData.h"
 #include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Files/ShapeColors.h"

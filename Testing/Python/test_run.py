@@ -322,7 +322,7 @@ class MemoryTest(unittest.TestCase):
         for message, kind, status in (("Planner: expected an input that fits into memory, found too little memory for it", waft.WaftError, 1),
                                       ("Planner: expected an input that fits into memory, found one beyond any", waft.BadInput, 2)):
             engine = Engine.__new__(Engine)
-            engine.source, engine.algorithm, engine.warnings = mock.Mock(), mock.Mock(), []
+            engine.algorithm, engine.warnings = mock.Mock(), []
             said = mock.patch("waft.run.engine.collect", lambda _, event, texts, message=message: (
                 mock.Mock(), texts.append(message) if event == "ErrorEvent" else None))
             with said, self.assertRaises(waft.WaftError) as raised:

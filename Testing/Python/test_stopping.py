@@ -146,7 +146,7 @@ class Stopping(unittest.TestCase):
         process = subprocess.Popen([*map(str, self.synthesize(MEDIUM))], stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.kill)
-        os.kill(self.find_child(process.pid, "pvpython"), signal.SIGKILL)
+        os.kill(self.find_child(process.pid, "python3"), signal.SIGKILL)
         _, said = process.communicate(timeout=30.0)
         self.assertEqual((-signal.SIGKILL, "waft: ended by SIGKILL, as systems do when memory runs out\n"),
                          (process.returncode, said))

@@ -38,13 +38,6 @@ Result WriteFlight(const Scene& scene, const Motion& motion, const FlightFileOpt
 
 /// Writes planned.vtp, constraints.vtp, vortices.vtp and report.csv of a plan into a folder.
 Result WritePlan(const SceneInfo& info, const PlanOutput& plan, const std::string& folder);
-/// The same by programs that know no C++: options and what comes of it as JSON, by the names of the
-/// fields: `report` and `warnings`, or `error`.
-std::string WriteFlightAsJson(const Scene& scene, const Motion& motion, const std::string& options,
-                              Monitor& monitor);
-/// What a motion came to, as JSON; see vtkMotionAnimationSource::GetFlight.
-std::string FlightAsJson(const Motion& motion);
-
 /// The joined report of a motion; see vtkMotionReport.
 void JoinedReportToTable(const std::vector<JoinedRow>& report, const SceneInfo& info,
                          vtkTable* table);

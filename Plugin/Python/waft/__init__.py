@@ -23,7 +23,7 @@ import typing as _typing
 
 from waft.importing import find_moved as _find_moved
 from waft.failures import BadInput, WaftError
-from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_classes as _load_classes, load_plugin, version
+from waft.loading import data_file, load as _load, load_classes as _load_classes, load_plugin, version
 from waft.scene import Scene
 
 if _typing.TYPE_CHECKING:  # what __getattr__ finds
@@ -73,5 +73,4 @@ def __dir__():
 
 
 _find_moved()
-if _is_paraview_here():
-    load_plugin()
+_load()

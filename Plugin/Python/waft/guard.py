@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The process that is the command `waft`: it runs pvpython as a child and answers stops that the child cannot.
+"""The process that is the command `waft`: it runs a child that has ParaView, or VTK alone, and answers stops that the child cannot.
 
     python3 -I guard.py COMMAND ...         SIGINT and SIGTERM come in blocked, so that none is lost meanwhile
 
-The child looks whether to stop between two pieces of its work. While ParaView starts, and within a long call of a
+The child looks whether to stop between two pieces of its work. While it starts, and within a long call of a
 library, it cannot; as long as it has nothing to write it is ended from here then, at once and without a trace. It
 reports through a pipe, a line of JSON each (`[key, value]`: a name may hold any letter), what stands for it:
 
@@ -56,9 +56,9 @@ class Reports:
                 self.deadline = time.monotonic() + value
 
 
-def watch(arguments):
-    """Runs `waft` with these arguments to its end; returns its exit status, negative when a signal ended it. Raises Interrupted where
-    it had to be ended."""
+def watch(arguments, program):
+    """Has a program, pvpython or Python itself, run `waft` with these arguments to its end; returns its exit status, negative when a
+    signal ended it. Raises Interrupted where it had to be ended."""
     from waft.cli import speaking
 
     variables, descriptors = speaking.for_child()
@@ -67,7 +67,7 @@ def watch(arguments):
     os.write(given, b"\0".join(map(os.fsencode, arguments)))
     environment = {**environment_of_child(), **variables, "WAFT_GUARD": str(writing), "WAFT_ARGUMENTS": str(given),
                    "OMPI_MCA_ess_singleton_isolated": "1"}  # no daemon of MPI
-    child = start(["pvpython", str(PACKAGE / "__main__.py")], STOPS, pass_fds=(writing, given, *descriptors), env=environment)
+    child = start([program, str(PACKAGE / "__main__.py")], STOPS, pass_fds=(writing, given, *descriptors), env=environment)
     os.close(writing)
     os.close(given)
     reports = Reports(reading)
@@ -156,7 +156,7 @@ def main(arguments):
         if options.command in processes.DIVIDED:
             processes.become_pvbatch(launched, arguments, environment_of_child())
         processes.leave_launcher()
-    if not options.needs_paraview:
+    if not options.is_guarded:
         watching.keep_stops()
         return cli.main(arguments)
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS | {signal.SIGCHLD})
@@ -180,11 +180,12 @@ def watch_with_display(options, arguments):
     """The same with a display, where one is needed, and a scene, which may be a descriptor that the child does not get."""
     if options.command in ("check", "synthesize"):
         reading.check_scene_file(options.scene)
+    program = "pvpython" if options.is_in_paraview else sys.executable
     if arguments[:1] not in (["demo"], ["render"]) or os.environ.get("DISPLAY"):
-        return watch(arguments)
+        return watch(arguments, program)
     with display() as is_there:
         if is_there:
-            return watch(arguments)
+            return watch(arguments, program)
     raise failures.Interrupted(NOTHING_BEGUN)
 
 

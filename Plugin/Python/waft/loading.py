@@ -57,6 +57,12 @@ def is_paraview_here() -> bool:
     return program.startswith(("pvpython", "pvbatch", "paraview")) or "paraview.simple" in sys.modules
 
 
+def load() -> None:
+    """In a program of ParaView its proxies, before a class is seen that is one's of them; else nothing: VTK will do."""
+    if is_paraview_here():
+        load_plugin()
+
+
 def load_plugin() -> None:
     """Makes the proxies known to paraview.simple, once; a clear error when ParaView's version differs, or there is none."""
     try:

@@ -136,35 +136,23 @@ class Effort:
         return time.monotonic(), time.process_time(), time.thread_time()
 
 
-class StageWatch(Effort):
-    """Follows one proxy's algorithm while it executes: the effort, errors and warnings (each a line), was_aborted."""
+class StageWatch:
+    """Follows an algorithm while it executes: errors and warnings (each a line), was_aborted."""
 
-    def __init__(self, name, proxy, clock, port=0):
-        super().__init__()
-        self.name = name
-        self.errors = []
-        self.warnings = []
+    def __init__(self, name, algorithm, clock):
+        self.errors, self.warnings = [], []
         self.was_aborted = False
-        self.can_stop = False  # while the stage computes, not while it serves frames later
-        self.clock = clock
-        self.algorithm = proxy.GetClientSideObject()
-        events = {"StartEvent": lambda *_: self.begin(), "EndEvent": lambda *_: self.end(), "ProgressEvent": self._progress}
-        self._observers = [(self.algorithm, self.algorithm.AddObserver(event, take)) for event, take in events.items()]
-        self._observers += [collect(self.algorithm, "ErrorEvent", self.errors),
-                            collect(self.algorithm.GetExecutive(), "ErrorEvent", self.errors),
-                            collect(self.algorithm, "WarningEvent", self.warnings)]
 
-    def release(self):
-        """Follows no longer. VTK calls an observer in the state of the thread that added it, which ends with that thread."""
-        for observed, observer in self._observers:
-            observed.RemoveObserver(observer)
-        self._observers = []
+        def tell(*_):
+            if clock.should_stop() and not self.was_aborted:
+                self.was_aborted = True
+                algorithm.SetAbortExecute(1)
+            clock.show(name, algorithm.GetProgress(), algorithm.GetProgressText())
 
-    def _progress(self, *_):
-        if self.can_stop and self.clock.should_stop() and not self.was_aborted:
-            self.was_aborted = True
-            self.algorithm.SetAbortExecute(1)
-        self.clock.show(self.name, self.algorithm.GetProgress(), self.algorithm.GetProgressText())
+        algorithm.AddObserver("ProgressEvent", tell)
+        for teller, event, texts in ((algorithm, "ErrorEvent", self.errors), (algorithm.GetExecutive(), "ErrorEvent", self.errors),
+                                     (algorithm, "WarningEvent", self.warnings)):
+            collect(teller, event, texts)
 
 
 class Clock:

@@ -151,7 +151,7 @@ def _add_common(command, answers):
 def parser() -> argparse.ArgumentParser:
     main = _Parser(prog="waft", description=DESCRIPTION, epilog=EXIT)
     main.add_argument("--version", action="version", version=f"waft {version()}")
-    main.set_defaults(needs_paraview=True, as_json=False)
+    main.set_defaults(is_guarded=True, is_in_paraview=True, as_json=False)
     commands = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
@@ -173,7 +173,7 @@ def parser() -> argparse.ArgumentParser:
                            "DIR/page.html, open in a browser, follows")
     make.add_argument("--progress", choices=("line", "json"), default="line",
                       help="line: on a terminal; json: each message as a line of JSON on stdout, {\"fraction\", \"text\"}")
-    make.set_defaults(run=run_synthesize, defaults_of=lambda: {
+    make.set_defaults(run=run_synthesize, is_in_paraview=False, defaults_of=lambda: {
         action.dest: action for action in make._actions if action.dest in defaults.NAMES and not action.const})
 
     many = commands.add_parser("takes", help="many variations of a scene, and a table of them", epilog=TAKES_EXIT)
@@ -186,7 +186,7 @@ def parser() -> argparse.ArgumentParser:
     many.add_argument("--database", type=path, metavar="FILE", help=SENTENCES["database"])
     many.add_argument("--quality", type=quality_of, choices=QUALITIES, default="full", help="of all takes, default full")
     many.add_argument("--preview", dest="quality", action="store_const", const="preview", help="--quality preview")
-    many.set_defaults(run=run_takes, needs_paraview=False)
+    many.set_defaults(run=run_takes, is_guarded=False)
 
     begin = commands.add_parser("new", help="a first scene, to change by hand", epilog=NEW_EXIT)
     begin.add_argument("scene", type=path, metavar="FILE.waft.json", help="is written; what is there is never overwritten")
@@ -200,17 +200,17 @@ def parser() -> argparse.ArgumentParser:
     begin.add_argument("--shape", choices=definition("shape")["properties"]["builtin"]["enum"], default="maple",
                        help="a built-in shape, default maple")
     begin.add_argument("--count", type=_whole(1, 100000), default=60, help="bodies that form words and pictures, default 60")
-    begin.set_defaults(run=run_new, needs_paraview=False)
+    begin.set_defaults(run=run_new, is_guarded=False)
 
     look = commands.add_parser("check", help="what of a scene cannot be, and what will be hard", epilog=CHECK_EXIT)
     look.add_argument("scene", type=path, help="scene file, *.waft.json")
     look.add_argument("--database", type=path, metavar="FILE", help=SENTENCES["database"])
-    look.set_defaults(run=run_check, needs_paraview=False)
+    look.set_defaults(run=run_check, is_guarded=False)
 
     about = commands.add_parser("info", help="what a result or a scene holds, and whether a result can be gone on with",
                                 epilog=INFO_EXIT)
     about.add_argument("place", type=path, metavar="DIR", help="what synthesize wrote, or a scene file")
-    about.set_defaults(run=run_info, needs_paraview=False)
+    about.set_defaults(run=run_info, is_guarded=False)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
     base.add_argument("-o", "--output", type=path, required=True, metavar="FILE.vtm", help="file for the database")
@@ -227,7 +227,7 @@ def parser() -> argparse.ArgumentParser:
     base.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the simulations that are whole "
                                                                        "are used")
     base.add_argument("--resume", action="store_true", help="go on from what a stopped run left beside FILE")
-    base.set_defaults(run=run_database)
+    base.set_defaults(run=run_database, is_in_paraview=False)
 
     show = commands.add_parser("render", help="pictures and a movie of a result")
     show.add_argument("folder", type=path, metavar="DIR", help="what synthesize wrote")
@@ -272,7 +272,7 @@ def parser() -> argparse.ArgumentParser:
 
     plug = commands.add_parser("blender-addon", help="the add-on for Blender as a zip file, to install there", epilog=NEW_EXIT)
     plug.add_argument("file", type=path, metavar="FILE.zip", help="is written; what is there is never overwritten")
-    plug.set_defaults(run=run_blender_addon, needs_paraview=False)
+    plug.set_defaults(run=run_blender_addon, is_guarded=False)
 
     judge = commands.add_parser("measure", help="how good a motion is, from the files of results alone", epilog=MEASURE_EXIT)
     judge.add_argument("folders", type=path, nargs="*", metavar="DIR", help="what synthesize wrote; several are pooled, too")
@@ -297,7 +297,7 @@ def parser() -> argparse.ArgumentParser:
     tidy.add_argument("folder", type=path, nargs="?", metavar="DIR",
                       help="a result: its series of fields, particles and meshes go, the motion stays; without DIR the store of states goes")
     tidy.add_argument("--list", dest="only_lists", action="store_true", help="remove nothing")
-    tidy.set_defaults(run=run_clean, needs_paraview=False)
+    tidy.set_defaults(run=run_clean, is_guarded=False)
 
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
     demo.add_argument("-o", "--output", type=path, default="demo", metavar="DIR", help="folder for the results, default demo")

@@ -5,8 +5,6 @@ import os
 import pathlib
 import re
 
-from paraview import simple
-
 from waft import failures, reading
 from waft.beneath import Folder
 from waft.files import table_rows, write_csv, write_xml
@@ -18,7 +16,7 @@ from waft.watching import Clock, StageWatch
 
 @dataclasses.dataclass
 class Made:
-    """A database that was made: its proxy, whether it was stopped before all simulations were done, and the
+    """A database that was made: its source, whether it was stopped before all simulations were done, and the
     rows of its coverage (simulations before, segments brought, share of these that is new)."""
 
     source: object
@@ -89,6 +87,8 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
     """
     if not str(path).endswith(".vtm"):
         raise failures.BadInput(f"{path}: expected a file name that ends with .vtm")
+    from waft.vtkWaftSources import vtkMotionDatabaseSource
+
     path = pathlib.Path(path)
     # It looks whether to stop from its first step on, and knows whether a simulation is whole.
     with Clock(time_limit, quiet, words="") as clock, database_place(path) as place:
@@ -98,28 +98,22 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
         if not resume:
             _forget(kept)
         set_threads(threads)
-        source = simple.MotionDatabaseSource()
-        source.NumberOfSimulations = simulations
-        source.NumberOfFrames = frames
-        source.Resolution = resolution
-        source.Seed = seed
-        source.StopBelow = stop_below
-        source.CoverageTolerance = coverage_tolerance
-        source.KeptIn = str(place.room)
-        share(source.GetClientSideObject())
+        source = vtkMotionDatabaseSource()
+        for name, value in (("NumberOfSimulations", simulations), ("NumberOfFrames", frames), ("Resolution", resolution), ("Seed", seed),
+                            ("StopBelow", stop_below), ("CoverageTolerance", coverage_tolerance), ("KeptIn", str(place.room))):
+            getattr(source, f"Set{name}")(value)
+        share(source)
         watch = StageWatch("database", source, clock)
-        watch.can_stop = True
-        source.UpdatePipeline()
+        source.Update()
         if watch.errors:
             if "cannot write" in watch.errors[0]:
                 raise failures.WaftError(watch.errors[0])
             _forget(kept)
             raise failures.BadInput(watch.errors[0])
-        algorithm = source.GetClientSideObject()
-        database = algorithm.GetOutputDataObject(0)
+        database = source.GetOutputDataObject(0)
         if database.GetNumberOfBlocks() == 0:
             raise failures.Interrupted("stopped before a simulation was whole")
-        header, rows = table_rows(algorithm.GetOutputDataObject(1))
+        header, rows = table_rows(source.GetOutputDataObject(1))
         write_xml(database, place.path(path.name))
         write_csv(coverage_file(place.path(path.name)), header, rows)
         place.commit({})

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The flight of a scene: Waft Animation, one source of ParaView, runs all stages; they are made by themselves when they are asked for."""
+"""The flight of a scene: the source of Waft Animation runs all stages; in ParaView they are made by themselves when they are asked for."""
 import contextlib
 import json
 
-from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
 from waft import reading
 from waft.failures import BadInput, WaftError
 from waft.files import table_rows
-from waft.loading import data_file
+from waft.loading import data_file, load_plugin
 from waft.processes import share
 from waft.run._chain import ATTRIBUTES, QUALITIES, STAGES
 from waft.run.database import check_database, settle_database
@@ -25,7 +24,7 @@ _REPORT_PORT = {"planner": 2, "assimilation": 4, "spacetime": 5}
 
 
 class Engine:
-    """The source, a proxy, and its VTK object; what the last flight told: watches ({stage: Effort}), warnings, errors, report (of the
+    """The source, which needs VTK alone; what the last flight told: watches ({stage: Effort}), warnings, errors, report (of the
     rows, a dictionary each, all texts), plan_objects (what planning came to), stopped_in, moved_by (stages; the first may be "")."""
 
     def __init__(self, scene, quality, database=None):
@@ -33,10 +32,11 @@ class Engine:
         self.database_file = str(database or data_file("Database/embedded.vtm"))
         settle_database(self.database_file)
         check_database(self.database_file)
-        self.source = simple.WaftAnimation(registrationName="Waft Animation", Quality=QUALITIES.index(quality), StopAfter=_AFTER_SCENE)
-        self.algorithm = self.source.GetClientSideObject()
-        if database is not None:
-            self.source.Database = self.database_file
+        from waft.vtkWaftFilters import vtkMotionAnimationSource
+
+        self.algorithm = vtkMotionAnimationSource()
+        self.algorithm.SetQuality(QUALITIES.index(quality))
+        self.algorithm.SetDatabase(self.database_file if database is not None else "")
         share(self.algorithm)
         self.settings = {}  # {stage: {property: value}} besides defaults and those of the quality
         self.watches, self.warnings, self.report, self.plan_objects = {}, [], [], []
@@ -47,13 +47,14 @@ class Engine:
 
     def delete(self):
         """Takes all proxies out of ParaView's session, which would hold them and their data to its end."""
-        for proxy in [*reversed(self._stages.values()), self.source]:
-            simple.Delete(proxy)
+        for name in reversed(self._stages):
+            self._simple().Delete(self._stages[name])
         self._stages = {}
 
     def read(self, clock):
         """The scene. Raises BadInput where it cannot be flown."""
-        self.source.FileName = self.scene_file
+        self.algorithm.SetFileName(self.scene_file)
+        self.algorithm.SetStopAfter(_AFTER_SCENE)
         effort = Effort().begin()
         self._update(clock, lambda: None)
         self.watches = {"reader": effort.end()}
@@ -75,7 +76,8 @@ class Engine:
                 if isinstance(value, (int, float)) and option not in ("Seed", "TimeLimit"):
                     self.algorithm.SetStageOption(name, option, value)
         if "planner" in self._stages:
-            self.source.NumberOfTakes, self.source.Take = self._stages["planner"].NumberOfTakes, self._stages["planner"].Take
+            self.algorithm.SetNumberOfTakes(self._stages["planner"].NumberOfTakes)
+            self.algorithm.SetTake(self._stages["planner"].Take)
 
     def hand_over(self):
         """The stages that were made have the motion of the source."""
@@ -91,13 +93,13 @@ class Engine:
         before = vtkPolyData()
         before.ShallowCopy(self.poses)
         told = {name: getattr(self, name) for name in ("watches", "warnings", "report", "plan_objects", "stopped_in", "moved_by", "has_air")}
-        seed = self.source.Seed
+        seed = self.algorithm.GetSeed()
         try:
             self._follow_stages()
             yield
         except BaseException:
             vars(self).update(told, _kept_poses=before)
-            self.source.Seed = seed
+            self.algorithm.SetSeed(seed)
             raise
 
     def take_plan(self, tracks, rows, vortices, report):
@@ -110,9 +112,9 @@ class Engine:
     def fly(self, clock, planned):
         """Runs the stages; planned() is called once the paths are. Raises what that raises, BadInput of what a stage fails of (WaftError
         where memory ended, which is no fault of the input), Interrupted when it is to stop and there is nothing to write yet."""
-        self.source.StopAfter = _AFTER_ALL
+        self.algorithm.SetStopAfter(_AFTER_ALL)
         left = clock.remaining()
-        self.source.TimeLimit = 0.0 if left is None else max(left, 0.001)
+        self.algorithm.SetTimeLimit(0.0 if left is None else max(left, 0.001))
         self._update(clock, planned)
         clock.check()
         self._kept_poses = None
@@ -158,7 +160,6 @@ class Engine:
         observed += [collect(self.algorithm, "ErrorEvent", errors), collect(self.algorithm.GetExecutive(), "ErrorEvent", errors),
                      collect(self.algorithm, "WarningEvent", self.warnings)]
         try:
-            self.source.UpdateVTKObjects()
             self.algorithm.Update()
         finally:
             for each, observer in observed:
@@ -183,7 +184,7 @@ class Engine:
 
     @property
     def seed(self):
-        return self.source.Seed if self.source.Seed >= 0 else self.algorithm.GetSceneSeed()
+        return self.algorithm.GetSeed() if self.algorithm.GetSeed() >= 0 else self.algorithm.GetSceneSeed()
 
     @property
     def poses(self):
@@ -202,15 +203,27 @@ class Engine:
 
     def _make_stages(self):
         attributes = {STAGES[name]["proxy"]: attribute for name, attribute in ATTRIBUTES.items()}
-        made = {attributes[proxy.SMProxy.GetXMLName()]: proxy for proxy in unfold(self.source).values()
+        simple = self._simple()
+        animation = simple.WaftAnimation(FileName=self.scene_file, Quality=self.algorithm.GetQuality(), Seed=self.seed)
+        made = {attributes[proxy.SMProxy.GetXMLName()]: proxy for proxy in unfold(animation).values()
                 if proxy.SMProxy.GetXMLName() in attributes}
-        if self.source.Database:
-            self._stages["database"] = made["planner"].Database = _database_reader(self.database_file)
+        simple.Delete(animation)
+        if self.algorithm.GetDatabase():
+            self._stages["database"] = made["planner"].Database = _database_reader(simple, self.database_file)
+        if "assimilation" in made:
+            made["assimilation"].EditOf = self.algorithm.GetEditOf()
         self._stages.update(made)
         for name, own in self.settings.items():
             for setting, value in own.items() if ATTRIBUTES[name] in made else ():
                 setattr(made[ATTRIBUTES[name]], setting, value)
         self._show_stages()
+
+    @staticmethod
+    def _simple():
+        load_plugin()
+        from paraview import simple
+
+        return simple
 
     def _show_stages(self):
         for stage in self._stages.values():
@@ -233,6 +246,9 @@ def _number(stage, name, value):
     """The value of a property of a stage, which may be said by a word of its list."""
     if not isinstance(value, str):
         return value
+    load_plugin()
+    from paraview import servermanager
+
     prototype = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", STAGES[stage]["proxy"])
     words = prototype.GetProperty(name).FindDomain("vtkSMEnumerationDomain")
     return next(words.GetEntryValue(i) for i in range(words.GetNumberOfEntries()) if words.GetEntryText(i) == value)
@@ -258,7 +274,7 @@ def _table_of(rows):
     return table
 
 
-def _database_reader(path):
+def _database_reader(simple, path):
     """A source of ParaView that gives a motion database: its own reader, or what Waft reads where that may not be able to."""
     if reading.has_appended_blocks(path):
         source = simple.TrivialProducer(registrationName="Database")

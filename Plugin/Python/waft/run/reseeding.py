@@ -15,7 +15,7 @@ def fly_by(flight, seed):
     engine, before = flight.pipeline, flight.seed
     with engine.undone_on_failure(), Clock(quiet=True, words=f"stopped: the motion is still that of the seed {before}") as clock:
         engine.warnings = []
-        engine.source.Seed = seed
+        engine.algorithm.SetSeed(seed)
         engine.fly(clock, lambda: None)
     engine.hand_over()
     flight.seed, flight.key = seed, run_key(engine, seed, word_in_keys(flight.quality))

@@ -4,12 +4,13 @@ import contextlib
 import dataclasses
 import os
 import pathlib
+import sys
 import tempfile
 from typing import TYPE_CHECKING
 
 from waft import failures
 from waft.beneath import Folder
-from waft.loading import load_plugin, set_threads
+from waft.loading import load, set_threads
 from waft.reading import check_scene_file
 from waft.results._records import REPORT, record_of
 from waft.results.store import Store
@@ -35,7 +36,7 @@ def synthesize(request: Request) -> "Result":
     status (exit status of the command), report (the constraints, one dictionary per row), warnings. Raises BadInput on malformed
     input, and where results would take the place of files that no run wrote; nothing is written then.
     """
-    load_plugin()
+    load()
     _check_session()
     if not isinstance(request.scene, Scene):
         return _fly(request)
@@ -68,7 +69,8 @@ def _fly(request, scene_folder=None):
                    request.on_progress) as clock:
             engine.read(clock)
             edit_of = _state_of(request.edit_of, quality)
-            engine.source.Seed = seed = request.seed if request.seed is not None else _seed_of(request.edit_of, engine.seed)
+            seed = request.seed if request.seed is not None else _seed_of(request.edit_of, engine.seed)
+            engine.algorithm.SetSeed(seed)
             engine.set_options(request.settings())
             key = run_key(engine, seed, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
             checkpoint = None
@@ -87,7 +89,7 @@ def _fly(request, scene_folder=None):
             if is_found:
                 checkpoint.take_plan(engine)
             air = checkpoint.air_file if is_found and checkpoint.air_file.is_file() else edit_of  # it was done when the run was stopped
-            engine.source.EditOf = str(air or "")
+            engine.algorithm.SetEditOf(str(air or ""))
 
             def planned():
                 clock.keep()
@@ -120,9 +122,8 @@ def _fly(request, scene_folder=None):
 
 
 def _check_session():
-    from paraview import servermanager
-
-    connection = servermanager.ActiveConnection
+    servermanager = sys.modules.get("paraview.servermanager")
+    connection = servermanager.ActiveConnection if servermanager is not None else None
     if connection is not None and connection.IsRemote():
         raise failures.WaftError(
             f"waft.synthesize reads the data of the stages in this process, and those of this session are on {connection.GetURI()}: "
