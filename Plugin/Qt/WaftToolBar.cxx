@@ -2,6 +2,7 @@
 #include "WaftToolBar.h"
 
 #include "WaftActive.h"
+#include "WaftBrowser.h"
 #include "WaftCamera.h"
 #include "WaftCheck.h"
 #include "WaftFilmLook.h"
@@ -179,6 +180,7 @@ void WaftToolBar::MoveDown()
       window->menuBar()->actions().isEmpty() ? nullptr : window->menuBar()->actions().last();
     window->menuBar()->insertMenu(help, this->Fly->Menu());
     waft::NameInMenus(window);
+    WaftBrowser::PutInto(window);
   }
 }
 

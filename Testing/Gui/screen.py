@@ -27,6 +27,13 @@ def size():
     return width, height
 
 
+def ends_of_lines(left, top, right, bottom):
+    """Of lines of dark text in a part of the screen, from the top: the pixel at which each ends."""
+    is_dark = pixels()[top:bottom, left:right].max(axis=2) < 100
+    lines = np.flatnonzero(np.diff(is_dark.any(axis=1), prepend=False, append=False)).reshape(-1, 2)
+    return [int(left + np.flatnonzero(is_dark[begin:end].any(axis=0))[-1]) for begin, end in lines]
+
+
 def move_pointer(x, y):
     """To a pixel of the screen, as a hand does it."""
     xlib = ctypes.CDLL("libX11.so.6")
