@@ -125,11 +125,12 @@ def group_advanced(proxy):
 
 
 def name_former(domain):
-    """A panel lists what the last domain of a property (by name) has, scripts may say what the first has: there the former names are, too."""
+    """A panel lists what the last domain of a property (by name) has, scripts may say what the first has: there the former names are, too.
+    The first has a namespace, which pages of help leave out and ParaView itself does not heed."""
     former = [entry for entry in domain if entry.attrib.pop("former", None)]
     for entry in former:
         domain.remove(entry)
-    every = ElementTree.Element(domain.tag, {"name": "all"})
+    every = ElementTree.Element(domain.tag, {"name": "all", "xmlns": "former"})
     every.extend([*domain, *former])
     return [every, domain] if former else [domain]
 

@@ -157,6 +157,8 @@ class ProxyTest(unittest.TestCase):
                     self.assertIsNotNone(servermanager.ProxyManager().GetPrototypeProxy(page.partition(".")[0], name), page)
                 texts = [zlib.decompress(packed[page][4:]).decode("utf-8") for page in pages]  # its length is before it
                 self.assertIn(element.find("Documentation").text.split()[0], "".join(texts))
+                for row in "".join(texts).split("<tr>"):
+                    self.assertLessEqual(row.count("is an enumeration"), 1, "the choices of a property once")
 
     def test_panels_speak_of_properties_that_are_there(self):
         groups = decorators = 0
