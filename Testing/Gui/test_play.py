@@ -19,6 +19,7 @@ class PlayTest(WindowTest):
             cls.status, cls.printed, notes = play("play.xml", pathlib.Path(folder), "watch_play.py", ends=False)
         cls.first = next((note for note in notes if "share" in note), None)
         cls.drawn = [note for note in notes if "time" in note]
+        cls.films = [note["film"] for note in notes if "film" in note]
 
     def test_it_ends_without_a_complaint(self):
         self.check_run(self.status, self.printed)
@@ -66,6 +67,9 @@ class PlayTest(WindowTest):
         wanted = (times[-1] - times[0]) / times[-1] * self.first["duration"]
         self.assertAlmostEqual(clock[-1] - clock[0], wanted, delta=max(0.2, 2 * longest))
         self.assertEqual(self.drawn[-1]["mode"], "Snap To TimeSteps", "steps, and films, go from frame to frame")
+
+    def test_a_film_has_every_frame(self):
+        self.assertEqual(self.films, [[f"film.{frame:04d}.png" for frame in range(FRAMES)]])
 
     def test_its_pictures_are_of_other_places(self):
         early, late = (note["columns"] for note in (self.drawn[0], self.drawn[-1]))

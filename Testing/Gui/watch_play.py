@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; notes each
-picture that the window draws, and what the picture is when the work is done; ends ParaView when Play has come to the last frame."""
+picture that the window draws, and what the picture is when the work is done; when Play has come to the last frame it writes a film,
+and ends ParaView."""
+import pathlib
 import time
 
 import numpy as np
@@ -82,6 +84,10 @@ def step():
         look(animation)
         looks = False
     if done == -1.0 and ended:
+        looks = True
+        folder = pathlib.Path(SCENE).parent
+        simple.SaveAnimation(str(folder / "film.png"), view, ImageResolution=[80, 60])
+        write({"film": sorted(one.name for one in folder.glob("film.*.png"))})
         end()
 
 
