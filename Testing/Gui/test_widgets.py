@@ -96,10 +96,10 @@ class WidgetTest(WindowTest):
 
     def test_a_scene_from_nothing_flies_after_few_clicks(self):
         with tempfile.TemporaryDirectory() as folder:
-            status, printed, notes = play("byhand.xml", pathlib.Path(folder), "watch_byhand.py")
+            status, printed, notes = play("byhand.xml", pathlib.Path(folder), "watch_byhand.py", frames=120)
         self.check_run(status, printed)
         last, flight = notes[-1], notes[-1]["flight"]
-        self.assertEqual((flight["bodies"], flight["frames"], flight["statuses"]), (5, 300, 5 * ["met"]))
+        self.assertEqual((flight["bodies"], flight["frames"], flight["statuses"]), (5, 120, 5 * ["met"]))
         self.assertGreater(flight["triangles"], 5 * 100, "leaves with meshes")
         for start, half, end in zip(flight["starts"], flight["half"], flight["ends"]):
             self.assertEqual(start[2], 3)

@@ -17,9 +17,9 @@ import unittest
 
 WAFT = sys.argv.pop(1)
 
-SCENE = {"waft": 1, "time": {"frames": 46}, "shapes": {"leaf": {"builtin": "leaf"}},
+SCENE = {"waft": 1, "time": {"frames": 16}, "shapes": {"leaf": {"builtin": "leaf"}},
          "objects": [{"shape": "leaf", "positions": [[-0.6, -0.5, 2.6], [0.6, 0.4, 2.4]]}],
-         "constraints": [{"kind": "position", "object": 0, "frame": 45, "value": [-0.3, -0.2, 1.9], "radius": 0.1}]}
+         "constraints": [{"kind": "position", "object": 0, "frame": 15, "value": [-0.55, -0.45, 2.4], "radius": 0.1}]}
 
 
 class Takes(unittest.TestCase):
@@ -94,7 +94,7 @@ class Takes(unittest.TestCase):
 
     def test_what_a_scene_draws_is_read_of_its_takes(self):
         drawn = {"text": "I", "origin": [-0.2, -0.3, 1.8], "u": [1, 0, 0], "v": [0, 1, 0], "width": 0.3}
-        self.write({**SCENE, "constraints": [{"kind": "keyframe", "frame": 45, "targets": drawn}]})
+        self.write({**SCENE, "time": {"frames": 46}, "constraints": [{"kind": "keyframe", "frame": 45, "targets": drawn}]})
         done = self.takes("7")
         self.assertEqual(0, done.returncode, done.stderr)
         row = self.rows()[7]
