@@ -55,12 +55,14 @@ function(waft_collect_tests folder)
   add_custom_target(WaftTests DEPENDS ${targets})
 endfunction()
 
-# waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow.
+# waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow; those of suites whose
+# names end with ByNight are left to the night.
 function(waft_discover_tests target prefix)
   list(TRANSFORM WAFT_SLOW_SUITES APPEND ".*" OUTPUT_VARIABLE slow)
   list(JOIN slow ":" slow)
-  gtest_discover_tests(${target} TEST_PREFIX ${prefix} DISCOVERY_TIMEOUT 600 TEST_FILTER "-${slow}" PROPERTIES LABELS fast)
+  gtest_discover_tests(${target} TEST_PREFIX ${prefix} DISCOVERY_TIMEOUT 600 TEST_FILTER "-${slow}:*ByNight.*" PROPERTIES LABELS fast)
   gtest_discover_tests(${target} TEST_PREFIX ${prefix} DISCOVERY_TIMEOUT 600 TEST_FILTER "${slow}" PROPERTIES LABELS slow)
+  gtest_discover_tests(${target} TEST_PREFIX ${prefix} DISCOVERY_TIMEOUT 600 TEST_FILTER "*ByNight.*" PROPERTIES LABELS nightly)
 endfunction()
 
 # waft_label_tests(<label>): of all tests that add_test made in this folder so far.

@@ -41,7 +41,9 @@ SpacetimeInput Scene()
 SpacetimeOptions Options(const std::string& path)
 {
   SpacetimeOptions options = QuickOptions();
-  options.MaximumNumberOfIterations = 30;
+  options.NumberOfGasParticles = 125;
+  options.NumberOfObjectParticles = 12;
+  options.MaximumNumberOfIterations = 16;
   options.CheckpointFile = path;
   options.CheckpointInterval = 0.0;
   return options;
@@ -195,7 +197,7 @@ TEST(Checkpoint, AnUpdateOfTheFieldsThatIsStoppedIsDoneAnew)
   const SpacetimeOutput whole = RunScene(input, options);
   options.CheckpointFile = CheckpointPath("fields");
   int stops = 0;
-  for (int ticks = 1; ticks < 100; ticks += 9)
+  for (int ticks = 1; ticks < 100; ticks += 13)
   {
     StopAfter monitor(ticks, "solving for the air's fields");
     SpacetimeOutput output;

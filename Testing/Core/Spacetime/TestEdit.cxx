@@ -34,6 +34,7 @@ SpacetimeInput Scene()
 SpacetimeOptions Options()
 {
   SpacetimeOptions options = QuickOptions();
+  options.MaximumNumberOfIterations = 20;
   options.EditDuration = 0.5;
   options.EditRadius = 0.6;
   return options;

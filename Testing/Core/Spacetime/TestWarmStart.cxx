@@ -12,9 +12,16 @@ namespace
 SpacetimeInput Scene()
 {
   SceneOptions scene;
-  scene.NumberOfFrames = 60;
-  scene.NumberOfObjects = 5;
+  scene.NumberOfFrames = 40;
+  scene.NumberOfObjects = 3;
   return MakeScene(scene);
+}
+
+SpacetimeOptions Options()
+{
+  SpacetimeOptions options = QuickOptions();
+  options.NumberOfGasParticles = 125;
+  return options;
 }
 
 std::size_t Iterations(const SpacetimeOutput& output)
@@ -33,7 +40,7 @@ TEST(WarmStart, GoesOnAfterAChangedWeightAndReachesWhatAFreshRunReaches)
 {
   const SpacetimeInput input = Scene();
   SpacetimeWarmStart memory;
-  SpacetimeOptions options = QuickOptions();
+  SpacetimeOptions options = Options();
   const SpacetimeOutput first = RunScene(input, options, 2, &memory);
   EXPECT_EQ(first.Convergence.front().Stage, "initial");
   // A memory changes nothing of a first run.
@@ -58,11 +65,10 @@ TEST(WarmStart, GoesOnAfterAChangedWeightAndReachesWhatAFreshRunReaches)
   options.WarmStart = false;
   ExpectSameMotion(RunScene(input, options, 2, &memory), fresh);
   options.WarmStart = true;
-  options.NumberOfGasParticles = 125;
+  options.NumberOfGasParticles = 64;
   EXPECT_EQ(RunScene(input, options, 2, &memory).Convergence.front().Stage, "initial");
   SceneOptions longer;
-  longer.NumberOfFrames = 61;
-  longer.NumberOfObjects = 5;
+  longer.NumberOfFrames = 41;
   EXPECT_EQ(RunScene(MakeScene(longer), options, 2, &memory).Convergence.front().Stage, "initial");
 }
 
@@ -72,16 +78,15 @@ TEST(WarmStart, GoesOnInTheStageWhereItWasStopped)
   SpacetimeWarmStart memory;
   StopAt monitor(0.5);
   SpacetimeOutput stopped;
-  const Result result =
-    RunSpacetime(input, QuickOptions(), ThreadedFor(2), monitor, stopped, &memory);
+  const Result result = RunSpacetime(input, Options(), ThreadedFor(2), monitor, stopped, &memory);
   ASSERT_TRUE(result && result.IsStopped());
   const std::string stage = stopped.Convergence[stopped.Convergence.size() - 2].Stage;
   EXPECT_NE(stage.find("coarse"), std::string::npos);
-  const SpacetimeOutput next = RunScene(input, QuickOptions(), 2, &memory);
+  const SpacetimeOutput next = RunScene(input, Options(), 2, &memory);
   EXPECT_EQ(next.Convergence[0].Stage, "so far");
   EXPECT_EQ(next.Convergence[1].Stage, stage);
   EXPECT_LT(next.Convergence.back().E, 0.9 * stopped.Convergence.back().E);
-  const SpacetimeOutput fresh = RunScene(input, QuickOptions());
+  const SpacetimeOutput fresh = RunScene(input, Options());
   EXPECT_LT(next.Convergence.back().E, 1.1 * fresh.Convergence.back().E);
 }
 
@@ -89,7 +94,7 @@ TEST(WarmStart, SaysSoWhenNothingCanBeBettered)
 {
   const SpacetimeInput input = Scene();
   SpacetimeWarmStart memory;
-  SpacetimeOptions options = QuickOptions();
+  SpacetimeOptions options = Options();
   options.Tolerance = 0.05;
   SpacetimeOutput output;
   bool said = false;
@@ -107,7 +112,7 @@ TEST(WarmStart, BeginsAnewWithAWindOnAnotherLattice)
 {
   const SpacetimeInput input = Scene();
   SpacetimeWarmStart memory;
-  SpacetimeOptions options = QuickOptions();
+  SpacetimeOptions options = Options();
   RunScene(input, options, 2, &memory);
   options.WindCells = 4;
   const SpacetimeOutput output = RunScene(input, options, 2, &memory);
@@ -121,7 +126,7 @@ TEST(WarmStart, TakesInVorticesThatSomebodyMoved)
 {
   SpacetimeInput input = Scene();
   SpacetimeWarmStart memory;
-  SpacetimeOptions options = QuickOptions();
+  SpacetimeOptions options = Options();
   options.FitVortexFields = false;
   RunScene(input, options, 2, &memory);
   input.Vortices[0].P1.x() += 0.3;

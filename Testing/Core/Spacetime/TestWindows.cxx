@@ -106,15 +106,16 @@ TEST(Windows, AreAskedForByTheirLengthAsByAMemoryLimit)
 
 TEST(Windows, EndWithinFivePercentOfAllAtOnce)
 {
-  const SpacetimeInput input = Scene(120, 5);
+  const SpacetimeInput input = Scene(60, 4);
   SpacetimeOptions options = QuickOptions();
+  options.NumberOfGasParticles = 125;
   options.LeashIterations = 20;
   options.MaximumNumberOfIterations = 120;
   options.Tolerance = 0.005;
   const SpacetimeOutput whole = RunScene(input, options);
   const SpacetimeBudget budget = BudgetOf(input, options);
-  options.MemoryLimit = 1e-6 * budget.Of(45);
-  EXPECT_NEAR(double(budget.WindowOf(120, options.MemoryLimit)), 41.0, 1.0);
+  options.MemoryLimit = 1e-6 * budget.Of(26);
+  EXPECT_NEAR(double(budget.WindowOf(60, options.MemoryLimit)), 22.0, 1.0);
   const SpacetimeOutput windowed = RunScene(input, options);
   RecordProperty("whole", std::to_string(whole.Convergence.back().E));
   RecordProperty("windowed", std::to_string(windowed.Convergence.back().E));
@@ -174,15 +175,15 @@ TEST(Windows, GoOnFromACheckpointToTheSameBits)
 
 TEST(Windows, TheBudgetIsWhatIsMeasured)
 {
-  const SpacetimeInput input = Scene(120, 5);
+  const SpacetimeInput input = Scene(80, 5);
   SpacetimeOptions options = QuickOptions();
-  options.NumberOfGasParticles = 1000;
+  options.NumberOfGasParticles = 729;
   options.UseLeash = false;
   options.Passes = 1;
   options.Tolerance = 0.0;
   options.MaximumNumberOfIterations = 24; // the histories are full
   const SpacetimeBudget budget = BudgetOf(input, options);
-  const double expected = 1e-6 * budget.Of(120);
+  const double expected = 1e-6 * budget.Of(80);
   const double measured = MeasurePeak(input, options);
   RecordProperty("expected", std::to_string(expected));
   RecordProperty("measured", std::to_string(measured));
@@ -214,14 +215,15 @@ TEST(Windows, ARunThatNoMachineHoldsIsRefusedByItsSizes)
 
 TEST(Windows, ALimitThatIsTooLowSaysHowMuchItTakes)
 {
-  const SpacetimeInput input = Scene(60, 3);
+  const SpacetimeInput input = Scene(40, 3);
   SpacetimeOptions options = QuickOptions();
-  options.MemoryLimit = 5.0;
+  options.NumberOfGasParticles = 125;
+  options.MemoryLimit = 1.0;
   SilentMonitor monitor;
   SpacetimeOutput output;
   const Result result = RunSpacetime(input, options, SerialFor(), monitor, output);
   ASSERT_FALSE(result);
-  EXPECT_NE(result.Message().find("MemoryLimit: 5 MB, at least"), std::string::npos)
+  EXPECT_NE(result.Message().find("MemoryLimit: 1 MB, at least"), std::string::npos)
     << result.Message();
   EXPECT_TRUE(output.Tracks.empty());
   // And that much is enough.
