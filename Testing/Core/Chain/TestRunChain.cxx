@@ -21,12 +21,12 @@ struct Flight
 
   explicit Flight(const std::string& more = "")
   {
-    const std::string text = R"({"waft": 1, "seed": 7, "time": {"frames": 40},
+    const std::string text = R"({"waft": 1, "seed": 7, "time": {"frames": 20},
       "shapes": {"leaf": {"builtin": "maple", "size": 0.12}},
       "objects": [{"shape": "leaf", "position": [-0.4, 0.1, 1.6]},
                   {"shape": "leaf", "position": [0.5, -0.2, 2.0]}],
       "obstacles": [{"kind": "box", "min": [0.1, 0.4, 0], "max": [0.4, 0.7, 0.9]}],
-      "constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [-0.1, 0.2, 1.1],
+      "constraints": [{"kind": "position", "object": 0, "frame": 15, "value": [-0.3, 0.15, 1.4],
                        "radius": 0.02}])" +
                              more + "}";
     const Result read = ParseScene(text, "scene", ".", BuiltinAssets(), this->TheScene);
@@ -107,7 +107,7 @@ TEST(RunChain, MeetsTheMarkInEachQuality)
     ASSERT_TRUE(result) << ToString(quality) << ": " << result.Message();
     const Motion& made = flight.Made;
     ASSERT_EQ(made.Tracks.size(), 2u) << ToString(quality);
-    EXPECT_LT((made.Tracks[0].Positions[30] - Vec3(-0.1, 0.2, 1.1)).norm(), 0.021)
+    EXPECT_LT((made.Tracks[0].Positions[15] - Vec3(-0.3, 0.15, 1.4)).norm(), 0.021)
       << ToString(quality);
     EXPECT_EQ(made.Turned.Poses.size(), 2u);
     ASSERT_EQ(made.Report.size(), 1u);
