@@ -280,12 +280,12 @@ TEST(SlicedRun, HoldsAllThreadsOfAPart)
 namespace
 {
 
-const char* const Scene = R"({"waft": 1, "time": {"frames": 40},
+const char* const Scene = R"({"waft": 1, "time": {"frames": 20},
   "shapes": {"leaf": {"builtin": "leaf"}},
   "objects": [{"shape": "leaf", "positions": [[-0.5, 0.0, 2.1], [-0.5, 0.4, 2.2]]}],
-  "constraints": [{"kind": "position", "object": 0, "frame": 39, "value": [0.3, 0.1, 2.0]}],
+  "constraints": [{"kind": "position", "object": 0, "frame": 19, "value": [-0.2, 0.05, 2.0]}],
   "obstacles": [{"kind": "sphere", "center": [1, -1, 2], "radius": 0.2, "motion":
-    [{"frame": 0, "position": [1, -1, 2]}, {"frame": 39, "position": [1, 1, 2]}]}]})";
+    [{"frame": 0, "position": [1, -1, 2]}, {"frame": 19, "position": [1, 1, 2]}]}]})";
 
 /// Planner, assimilation, optimiser and rotation.
 struct LongChain : AssimilatedChain
@@ -360,7 +360,7 @@ TEST(Slices, ComeToTheSameBytesAndShowTheMotionSoFar)
   for (chain.Update(0.5); chain.Rotation->GetComplete() == 0 && slices < 10000; ++slices)
   {
     vtkPolyData* poses = SceneChain::Poly(chain.Rotation, 1);
-    ASSERT_EQ(poses->GetNumberOfPoints(), 80) << "slice " << slices;
+    ASSERT_EQ(poses->GetNumberOfPoints(), 40) << "slice " << slices;
     ASSERT_EQ(poses->GetFieldData()->GetArray("Complete")->GetComponent(0, 0), 0.0);
     ASSERT_GT(SceneChain::Poly(chain.Rotation, 0)->GetNumberOfPoints(), 0);
     for (std::size_t stage = 0; stage < 4; ++stage)
@@ -409,7 +409,7 @@ TEST(Slices, FlyBesideToTheSameBytes)
   int updates = 0;
   for (chain.Update(0.5); chain.Rotation->GetComplete() == 0 && updates < 10000; ++updates)
   {
-    ASSERT_EQ(SceneChain::Poly(chain.Rotation, 1)->GetNumberOfPoints(), 80);
+    ASSERT_EQ(SceneChain::Poly(chain.Rotation, 1)->GetNumberOfPoints(), 40);
     ASSERT_GT(SceneChain::Poly(chain.Rotation, 0)->GetNumberOfPoints(), 0);
     chain.Update(0.6); // another time, while the work goes on
     chain.GoOn();
