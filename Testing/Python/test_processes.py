@@ -141,8 +141,13 @@ class Command(unittest.TestCase):
         of_each = ["--frames", 120, "--resolution", 12, "--threads", 1]  # a thousand of them take minutes
         run = self.start(2, "database", "--output", path, "--simulations", 1000, *of_each)
         self.await_kept(run, path)
+        of_run = self.processes().values()
+        for number in of_run:  # or it makes simulations meanwhile, which all are made again below
+            os.kill(number, signal.SIGSTOP)
         other = self.run_on(2, "database", "--output", path, *self.SIMULATIONS)  # two runs on one file are no processes of one
         self.assertEqual((other[0], other[2].count("another run")), (2, 1), other[2])
+        for number in of_run:
+            os.kill(number, signal.SIGCONT)
         run.send_signal(signal.SIGUSR1)  # which mpiexec hands on to all
         _, error = run.communicate(timeout=300)
         self.assertEqual(run.returncode, 4, error)
