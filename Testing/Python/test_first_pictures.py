@@ -16,6 +16,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkGarbageCollector
 
 import baseline
 import picture
@@ -95,9 +96,18 @@ class FirstPicturesTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         PLACE.mkdir(parents=True, exist_ok=True)
+        vtkGarbageCollector.DeferredCollectionPush()  # or VTK looks through all views and stages each time that one is shown
+        cls.addClassCleanup(vtkGarbageCollector.DeferredCollectionPop)
         cls.stages = make_all(pathlib.Path(folder.name))
         cls.looks = {element.get("name"): element.findall("Hints/FirstPicture")
                      for element in ElementTree.parse(XML / "Representations.xml").getroot().iter("MotionRepresentationProxy")}
+
+    def fresh_view(self):
+        """Of a test alone: each step of the session's time draws all views that there are."""
+        view = simple.CreateRenderView()
+        self.addCleanup(simple.Delete, view)
+        view.OrientationAxesVisibility = 0
+        return view
 
     def test_every_proxy_is_there(self):
         self.assertEqual(set(self.stages), set(described()))
@@ -116,7 +126,7 @@ class FirstPicturesTest(unittest.TestCase):
                         self.assertIn(str(number), views, "a table is not shown in space")
 
     def test_it_looks_as_its_kind(self):
-        view = simple.CreateRenderView()
+        view = self.fresh_view()
         seen = set()
         for name, element in described().items():
             for hint in element.iter("Representation"):
@@ -145,7 +155,8 @@ class FirstPicturesTest(unittest.TestCase):
         for name, stage in self.stages.items():
             with self.subTest(proxy=name):
                 stage.UpdatePipeline()
-                for number, view in enumerate(waft.show(stage, fresh_view())):
+                views = waft.show(stage, self.fresh_view())
+                for number, view in enumerate(views):
                     if hasattr(view, "CameraPosition"):
                         at_the_end()
                     path = PLACE / f"first_{name}{'_second' if number else ''}.png"
@@ -153,6 +164,9 @@ class FirstPicturesTest(unittest.TestCase):
                     drawn = picture.read(str(path))
                     behind = np.median(drawn, axis=1, keepdims=True)  # of a line: the background changes upwards alone
                     self.assertGreater(np.mean(np.abs(drawn - behind).max(axis=2) > 24), 0.002, "next to nothing is drawn")
+                for chart in views[1:]:
+                    simple.Delete(chart)
+                self.doCleanups()
 
     def assert_as_baseline(self, view, path, size=(600, 400)):
         simple.SaveScreenshot(str(path), view, ImageResolution=size)
@@ -162,7 +176,7 @@ class FirstPicturesTest(unittest.TestCase):
         self.assertLessEqual(baseline.error(path, kept), baseline.THRESHOLD, path.name)
 
     def test_a_body_that_is_a_frame_late_is_seen(self):
-        view, = waft.show(self.stages["RotationRefineFilter"], fresh_view())
+        view, = waft.show(self.stages["RotationRefineFilter"], self.fresh_view())
         view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = NEAR, MARK, (0, 0, 1)
         view.ViewTime = 1.0
         self.assert_as_baseline(view, PLACE / "first_leaf.png", [300, 200])
@@ -171,7 +185,7 @@ class FirstPicturesTest(unittest.TestCase):
         self.assertGreater(baseline.error(PLACE / "late.png", SOURCE / "Data" / "Baseline" / "first_leaf.png"), 5 * baseline.THRESHOLD)
 
     def test_an_animation_snaps_to_the_frames_of_a_scene(self):
-        view = fresh_view()
+        view = self.fresh_view()
         view.ViewSize = [60, 40]
         waft.show(self.stages["WaftAnimation"], view)
         scene = simple.GetAnimationScene()
@@ -185,7 +199,7 @@ class FirstPicturesTest(unittest.TestCase):
         self.assertEqual(len(list(PLACE.glob("snap.*.png"))), 10)
 
     def test_numbers_of_objects_have_no_bar(self):
-        view = fresh_view()
+        view = self.fresh_view()
         for name, port, has in (("RotationRefineFilter", 0, False), ("StylisticPlannerFilter", 0, False), ("SPHSpacetimeFilter", 1, True)):
             with self.subTest(proxy=name, port=port):
                 shown = simple.Show(simple.OutputPort(self.stages[name], port), view)
@@ -193,7 +207,7 @@ class FirstPicturesTest(unittest.TestCase):
 
     def test_the_sampled_air_is_shown_by_its_streamlines(self):
         drift = self.stages["AirAssimilationFilter"]
-        view, = waft.show(drift, fresh_view(), port=1)
+        view, = waft.show(drift, self.fresh_view(), port=1)
         at_the_end()
         simple.GetRepresentation(simple.OutputPort(drift, 1), view).RescaleTransferFunctionToDataRange()
         self.assert_as_baseline(view, PLACE / "first_AirAssimilationFilter_air.png")
@@ -203,7 +217,7 @@ class FirstPicturesTest(unittest.TestCase):
         turning = simple.Calculator(Input=simple.Wavelet(WholeExtent=[-extent, extent] * 3), ResultArrayName="Velocity",
                                     Function="-coordsY*iHat+coordsX*jHat")
         turning.UpdatePipeline()
-        shown = simple.Show(turning, fresh_view(), "MotionAirRepresentation")
+        shown = simple.Show(turning, self.fresh_view(), "MotionAirRepresentation")
         shown.NumberOfLines, shown.LineLength, shown.TubeRadius = 30, length, 0.001
         lines = tubes_of(shown)
         self.assertGreater(len(lines), 25, "but for some at the edge")
@@ -221,7 +235,7 @@ class FirstPicturesTest(unittest.TestCase):
     def test_spirals_turn_as_their_vortices_do(self):
         for strength in (0.5, -0.5):
             vortex = simple.VortexSource(Strength=strength, CoreRadius=0.2)
-            shown = simple.Show(vortex, fresh_view())
+            shown = simple.Show(vortex, self.fresh_view())
             ends = vtk_to_numpy(vortex.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetData())
             along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
             turns = [line for line in tubes_of(shown, 8) if len(line) > 8]  # the axis has two points
@@ -234,13 +248,13 @@ class FirstPicturesTest(unittest.TestCase):
 
     def test_fields_without_vectors_have_no_streamlines(self):
         plain = simple.Wavelet()
-        shown = simple.Show(plain, fresh_view(), "MotionAirRepresentation")
+        shown = simple.Show(plain, self.fresh_view(), "MotionAirRepresentation")
         shown.Representation = "Streamlines"
         self.assertEqual(tubes_of(shown), [])
 
     def test_streamlines_that_cannot_be_are_not_drawn(self):
         blowing = simple.Calculator(Input=simple.Wavelet(WholeExtent=[-5, 5] * 3), ResultArrayName="Wind", Function="iHat")
-        shown = simple.Show(blowing, fresh_view(), "MotionAirRepresentation")
+        shown = simple.Show(blowing, self.fresh_view(), "MotionAirRepresentation")
         shown.Representation = "Streamlines"
         for name, value in (("NumberOfLines", -5), ("LineLength", -1), ("LineLength", math.nan), ("TubeRadius", 0), ("TubeRadius", math.nan)):
             with self.subTest(name=name, value=value):
@@ -251,7 +265,7 @@ class FirstPicturesTest(unittest.TestCase):
                 self.assertGreater(len(tubes_of(shown)), 50)
 
     def test_changes_of_a_user_stay(self):
-        view = simple.CreateRenderView()
+        view = self.fresh_view()
         shown = simple.Show(simple.OutputPort(self.stages["StylisticPlannerFilter"], 0), view)
         shown.LineWidth = 7
         simple.ColorBy(shown, None)
@@ -271,7 +285,7 @@ class FirstPicturesTest(unittest.TestCase):
             self.assertIn("show: port: expected a whole number from 0 to 7", str(caught.exception))
 
     def test_costs_are_a_chart_with_a_logarithmic_axis(self):
-        charts = [view for view in waft.show(self.stages["SPHSpacetimeFilter"], fresh_view()) if hasattr(view, "LeftAxisLogScale")]
+        charts = [view for view in waft.show(self.stages["SPHSpacetimeFilter"], self.fresh_view()) if hasattr(view, "LeftAxisLogScale")]
         self.assertEqual(len(charts), 1)
         self.assertEqual(charts[0].LeftAxisLogScale, 1)
         self.assertEqual(list(charts[0].Representations[0].SeriesVisibility), ["E", "Ec", "Ev", "Ex"])
@@ -294,12 +308,6 @@ def tubes_of(shown, sides=SIDES):
     places = vtk_to_numpy(drawn.GetPoints().GetData()) if len(ids) else np.zeros((0, 3))
     strips = [places[ids[begin:end]] for begin, end in zip(ends[:-1], ends[1:]) if end - begin > sides]
     return [np.mean([(strip[0::2] + strip[1::2]) / 2 for strip in strips[i:i + sides]], axis=0) for i in range(0, len(strips), sides)]
-
-
-def fresh_view():
-    view = simple.CreateRenderView()
-    view.OrientationAxesVisibility = 0
-    return view
 
 
 def at_the_end():
