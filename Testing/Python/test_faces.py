@@ -23,12 +23,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import waft
 
 WAFT = sys.argv.pop(1)
-FRAMES = 20
+FRAMES = {"preview": 12, "full": 20, "paper": 12}  # to the motion of fewer no vortices are fitted
 MOMENT = 0.2  # s: what goes by time is looked at then
-SCENE = {"waft": 1, "seed": 5, "time": {"frames": FRAMES}, "shapes": {"maple": {"builtin": "maple"}},
-         "objects": [{"shape": "maple", "positions": [[-0.2, 0.0, 2.6], [0.2, 0.0, 2.6]]}],
-         "constraints": [{"kind": "position", "object": 0, "frame": 17, "value": [-0.2, 0.02, 2.4], "radius": 0.1}],
-         "winds": [{"direction": [1, 0, 0], "strength": 0.5, "center": [0, 0, 2], "radius": 1, "centerTime": 0.2, "duration": 0.2}]}
 FILES = ("poses.csv", "planned.vtp", "optimized.vtp", "poses.vtp", "constraints.csv", "animation.glb")
 PLAN = {"PlannedTracks": ("planner", 0), "Trees": ("planner", 1), "PlannedReport": ("planner", 2), "Marks": ("planner", 3)}
 DRIFT = {"AssimilatedTracks": ("assimilation", 0), "Air": ("assimilation", 1), "AssimilatedReport": ("assimilation", 4),
@@ -43,6 +39,15 @@ STOPS = {"Scene": "Objects", "Plan": "PlannedTracks", "Assimilation": "Assimilat
          "Rotation": "Meshes", "Vortex Fit": "FittedVortices"}
 
 
+def scene(frames):
+    """Two maples, the one with a mark, in a wind."""
+    last = frames - 3
+    return {"waft": 1, "seed": 5, "time": {"frames": frames}, "shapes": {"maple": {"builtin": "maple"}},
+            "objects": [{"shape": "maple", "positions": [[-0.2, 0.0, 2.6], [0.2, 0.0, 2.6]]}],
+            "constraints": [{"kind": "position", "object": 0, "frame": last, "value": [-0.2, 0.02, 2.6 - 0.2 * last / 17], "radius": 0.1}],
+            "winds": [{"direction": [1, 0, 0], "strength": 0.5, "center": [0, 0, 2], "radius": 1, "centerTime": 0.2, "duration": 0.2}]}
+
+
 def size(data):
     """Points of a surface or picture, rows of a table."""
     return data.GetNumberOfElements(0) + data.GetNumberOfElements(6)
@@ -54,11 +59,12 @@ class Faces(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
-        cls.scene = cls.folder / "short.waft.json"
-        cls.scene.write_text(json.dumps(SCENE), encoding="utf-8")
+        cls.scenes = {quality: cls.folder / f"{quality}.waft.json" for quality in FRAMES}
+        for quality, path in cls.scenes.items():
+            path.write_text(json.dumps(scene(FRAMES[quality])), encoding="utf-8")
 
     def source(self, quality, **properties):
-        animation = simple.WaftAnimation(FileName=str(self.scene), Quality=quality.title(), **properties)
+        animation = simple.WaftAnimation(FileName=str(self.scenes[quality]), Quality=quality.title(), **properties)
         self.addCleanup(simple.Delete, animation)
         return animation
 
@@ -87,7 +93,7 @@ class Faces(unittest.TestCase):
 
     def by_the_command(self, quality, _):
         out = self.folder / f"{quality}-command"
-        done = subprocess.run([WAFT, "synthesize", str(self.scene), "--output", str(out), "--quality", quality, "--threads", "2"],
+        done = subprocess.run([WAFT, "synthesize", str(self.scenes[quality]), "--output", str(out), "--quality", quality, "--threads", "2"],
                               stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         for name in FILES:
@@ -138,7 +144,7 @@ class Faces(unittest.TestCase):
 
     def test_each_gives_the_same(self):
         for quality, faces in self.FACES.items():
-            wanted = waft.synthesize(self.scene, quality=quality, threads=1, output=self.folder / quality)
+            wanted = waft.synthesize(self.scenes[quality], quality=quality, threads=1, output=self.folder / quality)
             for stage in {stage for stage, _ in PORTS[quality].values()}:
                 getattr(wanted, stage).UpdatePipeline(MOMENT)
             for face in faces:
