@@ -2,8 +2,8 @@
 """Results that are whole and wrong: each array, each value of JSON and each column of a table of a small run is put out of shape, and
 what reads it says so, exit status 2, or goes on; nobody ends by a traceback or a signal.
 
-    pvbatch run.py test_mutations.py [1]         on a display; with 1 all of two thousand mutants by every reader, which takes half an hour,
-                                          else one in some sixty by one reader
+    pvbatch run.py test_mutations.py [EVERY]     on a display; of two thousand mutants every so many-th by one reader, with 1 each by every
+                                          reader, which takes half an hour
 """
 import copy
 import csv
@@ -29,7 +29,7 @@ import warm  # noqa: E402
 from waft import cli, failures, page, reading, render, synthesis, takes  # noqa: E402, F401
 from waft.files import write_json, write_xml  # noqa: E402
 
-EVERY = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 61
+EVERY = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 127
 SCENE = {"waft": 1, "title": "Small", "time": {"frames": 31}, "shapes": {"leaf": {"builtin": "leaf"}, "maple": {"builtin": "maple"}},
          "objects": [{"shape": "leaf", "positions": [[-0.6, -0.5, 1.6], [0.6, 0.4, 1.4]]}, {"shape": "maple", "position": [0, 0.9, 0.8]}],
          "obstacles": [{"kind": "box", "min": [0.9, -2, 0], "max": [1.2, -1, 1],
