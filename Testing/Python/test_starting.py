@@ -224,7 +224,7 @@ class StartingTest(unittest.TestCase):
     def test_watch_flies_again_when_the_scene_is_saved(self):
         short = {"time": {"frames": 13}}
         self.write(objects=LEAVES["objects"] + [{"shape": "leaf", "position": [0, 0, 2]}], **short)
-        process = subprocess.Popen([WAFT, "synthesize", "scene.waft.json", "--output", "out", "--watch"], cwd=self.folder,
+        process = subprocess.Popen([WAFT, "synthesize", "scene.waft.json", "--output", "out", "--watch", "--preview"], cwd=self.folder,
                                    stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.kill)
         said = []
