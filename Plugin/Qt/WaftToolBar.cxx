@@ -13,7 +13,6 @@
 #include "WaftMenu.h"
 #include "WaftNames.h"
 #include "WaftPace.h"
-#include "WaftPanel.h"
 #include "WaftRemarks.h"
 #include "WaftStages.h"
 #include "WaftVerdict.h"
@@ -182,7 +181,6 @@ void WaftToolBar::MoveDown()
     window->menuBar()->insertMenu(help, this->Fly->Menu());
     waft::NameInMenus(window);
     WaftBrowser::PutInto(window);
-    waft::FitPanel(window);
   }
 }
 
