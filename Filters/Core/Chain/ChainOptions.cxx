@@ -71,7 +71,12 @@ bool ChainOptions::Set(ChainStage stage, const std::string& name, double value)
     case ChainStage::Planner:
       return SetField(this->Plan, name, value);
     case ChainStage::Assimilation:
-      return SetField(this->Air, name, value) || SetField(this->Turning, name, value);
+      if (SetField(this->Air, name, value))
+      {
+        return true;
+      }
+      this->Turning = this->Turning.value_or(this->Rotation);
+      return SetField(*this->Turning, name, value);
     case ChainStage::Spacetime:
       return SetField(this->Optimiser, name, value);
     case ChainStage::Rotation:

@@ -10,6 +10,7 @@
 #include "Vortex/VortexFit.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace waft
@@ -29,7 +30,7 @@ struct ChainOptions
   PlanOptions Plan;
   TakeOptions Takes;
   AssimilationOptions Air;
-  RotationOptions Turning; // of bodies while the air is looked for
+  std::optional<RotationOptions> Turning; // of bodies while the air is looked for; none: Rotation
   SpacetimeOptions Optimiser;
   RotationOptions Rotation;
   VortexFitOptions Fit; // its Bounds are the scene's

@@ -114,6 +114,10 @@ void Chain::SetUp()
   this->Options.Plan.Seed = static_cast<std::uint64_t>(seed);
   this->Options.Air.Seed = static_cast<int>(seed);
   this->Options.Rotation.Seed = static_cast<std::uint64_t>(seed);
+  if (this->Options.Turning)
+  {
+    this->Options.Turning->Seed = this->Options.Rotation.Seed;
+  }
   this->Options.Fit.Seed = static_cast<std::uint64_t>(seed);
   this->Obstacles = ObstaclesOfFrames(scene.Obstacles, scene.Info.Time);
   this->Wind = this->Inputs.Wind.OfFrames(scene.Info.Time);
@@ -292,13 +296,13 @@ Result Chain::Plan(Monitor& monitor)
 Result Chain::Assimilate(Monitor& monitor)
 {
   AssimilationInput problem{ this->ProblemOf(ChainStage::Assimilation),
-                             this->Inputs.TheScene.Shapes, this->Options.Turning,
+                             this->Inputs.TheScene.Shapes,
+                             this->Options.Turning.value_or(this->Options.Rotation),
                              this->Inputs.Ranks };
   AssimilationOptions motion = this->Options.Air; // without what changes nothing of it
   motion.CheckpointFile = motion.StateFile = std::string();
   motion.TimeLimit = 0.0;
-  if (this->IsKept(ChainStage::Assimilation, problem, problem.Shapes, motion,
-                   this->Options.Turning))
+  if (this->IsKept(ChainStage::Assimilation, problem, problem.Shapes, motion, problem.Turning))
   {
     return Result::Ok();
   }

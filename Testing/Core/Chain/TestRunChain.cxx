@@ -121,25 +121,31 @@ TEST(RunChain, MakesNothingAgainThatIsThere)
 {
   Flight flight;
   ASSERT_TRUE(flight.Run(Coarse(Quality::Preview)));
-  EXPECT_EQ(flight.Made.Seconds.size(), 3u);
+  EXPECT_EQ(flight.Made.Efforts.size(), 3u);
   const std::vector<Track> before = flight.Made.Tracks;
   ASSERT_TRUE(flight.Run(Coarse(Quality::Preview)));
-  EXPECT_TRUE(flight.Made.Seconds.empty());
+  EXPECT_TRUE(flight.Made.Efforts.empty());
   EXPECT_EQ(flight.Made.Tracks[0].Positions, before[0].Positions);
 
   ChainOptions options = Coarse(Quality::Preview);
   options.Rotation.Roll = 2.0;
   ASSERT_TRUE(flight.Run(options));
-  EXPECT_EQ(flight.Made.Seconds.size(), 2u) << "the air, in which bodies glide, and the rotation";
+  EXPECT_EQ(flight.Made.Efforts.size(), 2u) << "the air, in which bodies glide, and the rotation";
+  options.Turning = options.Rotation;
+  ASSERT_TRUE(flight.Run(options));
+  EXPECT_TRUE(flight.Made.Efforts.empty()) << "as it is without";
+  ASSERT_TRUE(options.Set(ChainStage::Assimilation, "Roll", 1.0));
+  ASSERT_TRUE(options.Set(ChainStage::Assimilation, "Roll", 2.0));
+  EXPECT_FALSE(options.Set(ChainStage::Assimilation, "NoSuchOption", 2.0));
   const std::vector<Track> rolling = flight.Made.Tracks;
   options.StopAfter = ChainStage::Planner;
   ASSERT_TRUE(flight.Run(options));
-  EXPECT_TRUE(flight.Made.Seconds.empty());
+  EXPECT_TRUE(flight.Made.Efforts.empty());
   EXPECT_TRUE(flight.Made.Air.Tracks.empty());
   EXPECT_TRUE(flight.Made.Tracks.empty());
   options.StopAfter = ChainStage::Rotation;
   ASSERT_TRUE(flight.Run(options));
-  EXPECT_EQ(flight.Made.Seconds.size(), 2u) << "all after the plan";
+  EXPECT_EQ(flight.Made.Efforts.size(), 2u) << "all after the plan";
   EXPECT_EQ(flight.Made.Tracks[0].Positions, rolling[0].Positions);
 }
 
