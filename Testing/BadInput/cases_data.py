@@ -50,10 +50,14 @@ def good():
     from waft import data_file, synthesize
     from waft.reading import read_blocks
 
+    places = {"objects": ("reader", 0), "obstacles": ("reader", 2), "shapes": ("reader", 3), "vortices": ("reader", 4),
+              "wind": ("reader", 5), "tracks": ("planner", 0), "constraints": ("planner", 3),
+              "flown": ("assimilation", 0), "poses": ("rotation", 1)}
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "scene.waft.json"
         path.write_text(json.dumps(SCENE), encoding="utf-8")
         run = synthesize(str(path), preview=True, threads=1)
+        made = {name: _copy(run.output(*place)) for name, place in places.items()}
     flow = vtkImageData()
     flow.SetDimensions(4, 4, 4)
     flow.SetOrigin(-2.0, -2.0, 0.0)
@@ -64,11 +68,7 @@ def good():
     velocity.SetNumberOfTuples(64)
     velocity.Fill(0.1)
     flow.GetPointData().AddArray(velocity)
-    places = {"objects": ("reader", 0), "obstacles": ("reader", 2), "shapes": ("reader", 3), "vortices": ("reader", 4),
-              "wind": ("reader", 5), "tracks": ("planner", 0), "constraints": ("planner", 3),
-              "flown": ("assimilation", 0), "poses": ("rotation", 1)}
     database = read_blocks(data_file("Database/embedded.vtm"))
-    made = {name: _copy(run.output(*place)) for name, place in places.items()}
     made |= {"flow": flow, "air": flow, "database": _copy(database), "guides": _copy(made["tracks"])}
     return made | {"scene": _gathered(made)}
 

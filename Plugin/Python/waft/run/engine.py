@@ -195,7 +195,8 @@ class Engine:
         return self.algorithm.GetOutputDataObject(1) if rotation is None else rotation.GetClientSideObject().GetOutputDataObject(1)
 
     def stage(self, name):
-        """The proxy of a stage; None where the flight had none of that name."""
+        """The proxy of a stage; None where the flight had none of that name. Raises BadInput where they are to be made, and the scene
+        file is there no more."""
         if not self._stages:
             self._make_stages()
         ran = name in ("reader", "planner", "rotation") or name in self.watches
@@ -203,6 +204,7 @@ class Engine:
 
     def _make_stages(self):
         attributes = {STAGES[name]["proxy"]: attribute for name, attribute in ATTRIBUTES.items()}
+        reading.check_scene_file(self.scene_file)
         simple = self._simple()
         animation = simple.WaftAnimation(FileName=self.scene_file, Quality=self.algorithm.GetQuality(), Seed=self.seed)
         made = {attributes[proxy.SMProxy.GetXMLName()]: proxy for proxy in unfold(animation).values()
