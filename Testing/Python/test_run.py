@@ -230,6 +230,9 @@ class RunTest(unittest.TestCase):
         # What the stages say from here on is for the caller, who may give them another input.
         for stage in (run.planner, run.assimilation):
             self.assertFalse(stage.GetClientSideObject().HasObserver("ErrorEvent"))
+        before = run.positions
+        run.save(self.folder / "stopped")  # as it is: it does not go on
+        self.assertEqual(before.tobytes(), waft.load(self.folder / "stopped").positions.tobytes())
         run.delete()
 
     def test_a_signal_stops_a_loop_of_runs_once_the_results_are_put_away(self):

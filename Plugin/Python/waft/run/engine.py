@@ -19,12 +19,11 @@ from waft.watching import Clock, Effort, collect
 NO_MEMORY = "found too little memory for it"  # how stages say so
 _STOPPABLE = ("planner", "assimilation", "spacetime")  # the others are quick, and the best so far is to be written whole
 _AFTER_SCENE, _AFTER_ALL = 0, 5
-_LAST = {"planner": (3, 4), "assimilation": (3, 2), "spacetime": (0, 2)}  # ports of rows and vortices, by who moves the objects
-_REPORT_PORT = {"planner": 2, "assimilation": 4, "spacetime": 5}
+_MOTION = {"planner": (0, 4, 2), "assimilation": (0, 2, 4), "spacetime": (0, 2, 5)}  # ports of tracks, vortices and report
 
 
 class Engine:
-    """The source, which needs VTK alone; what the last flight told: watches ({stage: Effort}), warnings, errors, report (of the
+    """The source, which needs VTK alone; what the last flight told: watches ({stage: Effort}), warnings, report (of the
     rows, a dictionary each, all texts), plan_objects (what planning came to), stopped_in, moved_by (stages; the first may be "")."""
 
     def __init__(self, scene, quality, database=None):
@@ -173,7 +172,8 @@ class Engine:
 
     def write(self, options):
         """Writes the files of the flight; returns what report.json has of its motion."""
-        if self._stages or self._kept_poses is not None:  # the source may be behind what they show
+        # The source may be behind what they show; a flight that was stopped does not go on for that.
+        if not self.stopped_in and (self._stages or self._kept_poses is not None):
             with self.undone_on_failure(), Clock(quiet=True) as clock:
                 self.fly(clock, lambda: None)
         told = json.loads(self.algorithm.WriteFlight(json.dumps(options)))
@@ -241,7 +241,7 @@ class Engine:
     @property
     def motion(self):
         """The name of the stage that moves the objects to their marks, and its ports of tracks, vortices and report."""
-        return self.moved_by, 0, _LAST[self.moved_by][1], _REPORT_PORT[self.moved_by]
+        return self.moved_by, *_MOTION[self.moved_by]
 
 
 def _number(stage, name, value):
