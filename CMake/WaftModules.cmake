@@ -7,10 +7,9 @@ include(WaftFindParaView)
 if(WAFT_PLAIN_VTK)
   waft_name_python_modules(VTK)
   # What vtk.module files and the bridge name, and what tests use besides: all of VTK would ask for Qt, databases and more.
-  find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral
-    FiltersGeometry FiltersSources ImagingCore IOCore IOGeometry IOImage IOXML IOXMLParser ParallelCore RenderingCore RenderingFreeType
-    Python WrappingPythonCore
-    OPTIONAL_COMPONENTS ParallelMPI)
+  set(WAFT_RUN_VTK CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersSources
+    ImagingCore IOCore IOGeometry IOImage IOXML IOXMLParser ParallelCore RenderingCore RenderingFreeType)
+  find_package(VTK 9.1 REQUIRED COMPONENTS ${WAFT_RUN_VTK} Python WrappingPythonCore OPTIONAL_COMPONENTS ParallelMPI)
 else()
   waft_name_python_modules(ParaView)
   find_package(ParaView REQUIRED COMPONENTS RemotingCore RemotingViews)
@@ -62,6 +61,7 @@ vtk_module_wrap_python(
   BUILD_STATIC OFF
   WRAPPED_MODULES waft_wrapped_modules)
 
+add_subdirectory(Plugin/Command)
 add_subdirectory(Plugin/Python)
 if(NOT WAFT_PLAIN_VTK)
   add_subdirectory(Plugin/Blender)

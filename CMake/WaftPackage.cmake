@@ -13,7 +13,7 @@ set(modules "${CMAKE_BINARY_DIR}/${WAFT_PYTHON_DIR}")
 add_custom_command(OUTPUT ${files}
   COMMAND ${CMAKE_COMMAND} -E env "PYTHONPATH=${modules}" PYTHONDONTWRITEBYTECODE=1
     "$<TARGET_FILE:Python3::Interpreter>" "${PROJECT_SOURCE_DIR}/CMake/describe_command.py" ${files}
-  DEPENDS WaftOptions WaftScenes WaftChain "${modules}/waft/options.json" "${modules}/waft/run/_options.py"
+  DEPENDS WaftOptions WaftScenes WaftChain WaftCommands "${modules}/waft/commands.json" "${modules}/waft/options.json" "${modules}/waft/run/_options.py"
     "${PROJECT_SOURCE_DIR}/CMake/describe_command.py" "${modules}/waft/cli/command.py"
     "${modules}/waft/run/_chain.py" "${modules}/waft/chain.json" "${modules}/waft/run/request.py" "${modules}/waft/render/_styles.py" "${modules}/waft/scene.schema.json"
   VERBATIM)

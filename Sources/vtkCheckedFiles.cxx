@@ -5,6 +5,7 @@
 #include "Bridge/Files/DataFiles.h"
 #include "Bridge/Files/DataWriting.h"
 #include "Bridge/Files/PictureFiles.h"
+#include "Bridge/Run/MakeDatabase.h"
 
 #include <vtkDataObject.h>
 #include <vtkObjectFactory.h>
@@ -45,7 +46,7 @@ std::string vtkCheckedFiles::Write(const std::string& path, vtkDataObject* data,
   return waft::WriteDataFile(path, data, form).Message();
 }
 
-std::string vtkCheckedFiles::CheckBlocks(const std::string& path)
+std::string vtkCheckedFiles::CheckDatabase(const std::string& path)
 {
-  return waft::CheckBlocksFile(path).Message();
+  return waft::CheckDatabase(path).Message();
 }

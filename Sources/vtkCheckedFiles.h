@@ -39,8 +39,9 @@ public:
   static std::string ReadSkin(vtkFieldData* fields, int shape, vtkImageData* data);
   /** A .vtp, .vti or .vtt, piece by piece: see Bridge/Files/DataWriting.h. */
   static std::string Write(const std::string& path, vtkDataObject* data, bool packsWell);
-  /** The structure of a .vtm and of its blocks' files alone: elements, counts, sizes of arrays. */
-  static std::string CheckBlocks(const std::string& path);
+  /** Whether a .vtm is a motion database by its structure; one that is being replaced is waited for
+   * (Bridge/Run/MakeDatabase.h). */
+  static std::string CheckDatabase(const std::string& path);
 
 protected:
   vtkCheckedFiles() = default;

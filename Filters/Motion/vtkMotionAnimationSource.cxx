@@ -2,12 +2,8 @@
 #include "vtkMotionAnimationSource.h"
 
 #include "Base/SliceOptions.h"
-#include "Base/StateArchive.h"
 #include "Bridge/Data/AirData.h"
-#include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SpacetimeData.h"
-#include "Bridge/Data/TrackData.h"
-#include "Bridge/Data/VortexData.h"
 #include "Bridge/Files/EmbeddedDatabase.h"
 #include "Bridge/Files/FlightFiles.h"
 #include "Bridge/Files/FlightJson.h"
@@ -19,7 +15,8 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
-#include "Chain/ChainScene.h"
+#include "Bridge/Run/FlyScene.h"
+#include "Bridge/Run/StateStore.h"
 #include "Chain/EditedScene.h"
 #include "Chain/RunChain.h"
 #include "Spacetime/Run/Spacetime.h"
@@ -29,7 +26,6 @@
 #include <vtkInformationVector.h>
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
-#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
@@ -53,8 +49,9 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   waft::ChainMemory Memory;
   std::size_t UntakenByAir = 0; // what was warned of when it was drawn
   std::map<std::pair<waft::ChainStage, std::string>, double> StageOptions;
-  std::string CheckpointFolder;
-  bool HasPlan = false;
+  waft::FlightRequest Asked = Unasked();
+  waft::FlightRecord Record;
+  std::string Fault; // whose the last failure was; empty without one
   std::atomic<const char*> AtWork{ "" };
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
@@ -64,6 +61,14 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   }
   ~Internals() override { this->Discard(); }
 
+  class Progress;
+  static waft::FlightRequest Unasked()
+  {
+    waft::FlightRequest request;
+    request.EndsWhole = false;
+    request.TakesKept = true;
+    return request;
+  }
   bool IsRead() const { return this->ReadTime > this->Named; }
   bool Load();
   const waft::Scene& Read() const override { return this->File.Parts(); }
@@ -87,44 +92,87 @@ struct vtkMotionAnimationSource::Internals : waft::MotionOutputs
   void Clear() override;
 
   void HandOver(waft::KeptStage& stage) { stage.Give(this->Self, this->Read(), this->Made); }
-  const waft::PlanOutput& Planned() const { return this->Made.Plan; }
-  waft::Result TakePlan(vtkPolyData* tracks, vtkPolyData* rows, vtkPolyData* vortices,
-                        vtkTable* report);
-  std::string FlightAsJson() const;
   void FillReport(vtkTable* report) const
   {
     waft::JoinedReportToTable(this->Made.Report, this->Scene, report);
   }
-  std::string WriteFiles(const std::string& options) const;
+  std::string Told() const;
+  void KeepAir() const;
+  waft::Result Save(const waft::FlightRequest& asked, bool isShown);
 };
 
-waft::Result vtkMotionAnimationSource::Internals::TakePlan(vtkPolyData* tracks, vtkPolyData* rows,
-                                                           vtkPolyData* vortices, vtkTable* report)
+/// What FlyInto does for a source: its stages' names, and an event once there is something to keep.
+class vtkMotionAnimationSource::Internals::Progress : public waft::FlightMonitor
 {
-  waft::PlanOutput plan;
-  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(tracks, plan.Tracks));
-  WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, plan.Vortices));
-  WAFT_RETURN_IF_FAILED(waft::ReportFromTable(report, "planned report", plan.Report));
-  if (rows->GetNumberOfPoints() > 0)
+public:
+  Progress(Internals& own, waft::Monitor& monitor) : Own(own), Whole(monitor) {}
+  bool Tick(double fraction, const std::string& text) override
   {
-    WAFT_RETURN_IF_FAILED(
-      waft::ConstraintsFromPolyData(rows, this->Read().Info.Time, plan.Constraints));
+    return this->Whole.Tick(fraction, text);
   }
-  this->Made.Plan = std::move(plan);
-  this->HasPlan = true;
-  this->Self->Modified();
-  return waft::Result::Ok();
+  bool Publishes() const override { return this->Whole.Publishes(); }
+  void Begin(waft::ChainStage stage) override { this->Own.AtWork = waft::TraitsOf(stage).Word; }
+  void Keep() override
+  {
+    if (this->Own.Asked.EndsWhole)
+    {
+      this->Own.Self->InvokeEvent(vtkCommand::UserEvent);
+    }
+  }
+  void Write() override
+  {
+    this->Own.AtWork = "";
+    this->Whole.Tick(1.0, "writing the results");
+  }
+
+private:
+  Internals& Own;
+  waft::Monitor& Whole;
+};
+
+std::string vtkMotionAnimationSource::Internals::Told() const
+{
+  waft::SceneJson told = waft::SceneJson::object();
+  const auto wordOf = [](waft::ChainStage stage) { return waft::TraitsOf(stage).Word; };
+  told["stages"] = { { wordOf(waft::ChainStage::Scene), waft::AsJson(this->Record.Reading) } };
+  for (const auto& [stage, effort] : this->Made.Efforts)
+  {
+    told["stages"][wordOf(stage)] = waft::AsJson(effort);
+  }
+  told["fault"] = this->Fault;
+  told["seed"] = this->Record.Seed;
+  told["key"] = this->Record.Key;
+  told["editOf"] = this->Record.EditedState;
+  told["isStopped"] = this->Record.IsStopped;
+  told["stoppedIn"] = this->Made.IsStopped ? wordOf(this->Made.StoppedIn) : "";
+  told["leftOut"] = this->Record.LeftOut(this->Asked, this->Made);
+  told["movedBy"] = wordOf(this->Made.MovedBy());
+  told["hasAir"] = !this->Made.Air.Air->Velocity.IsEmpty();
+  told["warnings"] = this->Record.Warnings;
+  return told.dump(-1, ' ', false, waft::SceneJson::error_handler_t::replace);
 }
 
-std::string vtkMotionAnimationSource::Internals::FlightAsJson() const
+void vtkMotionAnimationSource::Internals::KeepAir() const
 {
-  return waft::FlightAsJson(this->Made);
+  if (this->IsComplete() && this->Memory.Air.IsFinished)
+  {
+    waft::StateStore().Make(this->Record.Key, [this](const std::string& path)
+                            { return waft::WriteState(path, this->Memory.Air, waft::SmpFor()); });
+  }
 }
 
-std::string vtkMotionAnimationSource::Internals::WriteFiles(const std::string& options) const
+waft::Result vtkMotionAnimationSource::Internals::Save(const waft::FlightRequest& asked,
+                                                       bool isShown)
 {
-  waft::SilentMonitor monitor;
-  return waft::WriteFlightAsJson(this->Read(), this->Made, options, monitor);
+  if (this->Made.Tracks.empty() || !this->IsComplete())
+  {
+    return waft::Result::Error(this->Self->FileName +
+                               ": expected a flight that is over, found none: fly it first");
+  }
+  waft::FlightRequest request = asked;
+  request.Scene = this->Self->FileName;
+  request.Options = this->Options();
+  return waft::SaveFlight(request, this->Read(), this->Made, this->Record, isShown);
 }
 
 void vtkMotionAnimationSource::Internals::Clear()
@@ -133,7 +181,6 @@ void vtkMotionAnimationSource::Internals::Clear()
   this->Memory = waft::ChainMemory();
   this->Database = waft::MotionDatabase();
   this->HasDatabase = false;
-  this->HasPlan = false;
 }
 
 /// True where the file was read now.
@@ -144,8 +191,11 @@ bool vtkMotionAnimationSource::Internals::Load()
     return false;
   }
   this->Discard(); // it works on the scene that there was
+  const waft::Effort begin = waft::Effort::Now();
   this->File.Read(waft::NamedFile(this->Self->FileName), this->Self->Edits, waft::VtkSceneAssets());
   this->Scene = this->Read().Info;
+  this->Record = waft::FlightRecord();
+  this->Record.Reading = waft::Effort::Now().Since(begin);
   this->ReadTime.Modified();
   return true;
 }
@@ -158,15 +208,8 @@ waft::ChainOptions vtkMotionAnimationSource::Internals::Options() const
   options.StopAfter = static_cast<waft::ChainStage>(this->Self->StopAfter);
   options.Takes = waft::OptionsOf<waft::TakeOptions>(*this->Self);
   options.TimeLimit = this->Self->TimeLimit;
-  options.HasPlan = this->HasPlan;
   options.Optimiser.MemoryLimit = this->Self->MemoryLimit;
   options.Air.EditOf = this->Self->EditOf;
-  if (!this->CheckpointFolder.empty())
-  {
-    options.Air.CheckpointFile = this->CheckpointFolder + "/assimilation.state";
-    options.Air.StateFile = this->CheckpointFolder + "/assimilated.state";
-    options.Optimiser.CheckpointFile = this->CheckpointFolder + "/spacetime.state";
-  }
   for (const auto& [option, value] : this->StageOptions)
   {
     options.Set(option.first, option.second, value);
@@ -183,11 +226,6 @@ bool vtkMotionAnimationSource::Internals::Wants(waft::ChainStage stage) const
 waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
                                                       waft::Monitor& monitor)
 {
-  if (this->Read().Objects.empty())
-  {
-    return waft::Result::Error(this->Self->FileName +
-                               ": /objects: expected at least one object, found none");
-  }
   if (!this->HasDatabase && this->Wants(waft::ChainStage::Planner))
   {
     if (!monitor.Tick(0.0, "Reading the motion database"))
@@ -200,39 +238,28 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
     this->HasDatabase = true;
   }
   waft::ControllerCommunicator ranks(this->Controller);
-  const waft::ChainInputs given{ this->Read(),
-                                 this->File.Wind(),
-                                 this->Database,
-                                 this->Controller != nullptr ? &ranks : nullptr,
-                                 [this](waft::ChainStage stage)
-                                 { this->AtWork = waft::TraitsOf(stage).Name; },
-                                 [this](waft::ChainStage stage)
-                                 {
-                                   if (stage != waft::ChainStage::Planner || this->Slice() > 0.0)
-                                   {
-                                     return waft::Result::Ok();
-                                   }
-                                   this->Self->InvokeEvent(vtkCommand::UserEvent);
-                                   return this->Self->GetAbortExecute() != 0
-                                            ? waft::Result::Error("stopped once it was planned")
-                                            : waft::Result::Ok();
-                                 } };
-  const waft::Result result =
-    waft::RunChain(given, this->Options(), waft::SmpFor(), monitor, this->Made, &this->Memory);
-  const bool hasBegun = *this->AtWork.load() != '\0';
+  waft::FlightRequest request = this->Asked;
+  request.Scene = this->Self->FileName;
+  request.Database = this->Self->Database;
+  request.Options = this->Options();
+  this->Asked.Output.clear(); // once
+  this->Asked.Resumes = false;
+  this->Record.Warnings = this->Read().Warnings;
+  Progress progress(*this, monitor);
+  const waft::Result result = waft::FlyInto(request,
+                                            { this->Read(), this->File.Wind(), this->Database,
+                                              this->Controller != nullptr ? &ranks : nullptr },
+                                            progress, this->Made, &this->Memory, this->Record);
   this->AtWork = "";
   this->Rejoin();
-  if (!result && !hasBegun) // the scene as a whole
-  {
-    return waft::Result::Error(this->Self->FileName + ": " + result.Message());
-  }
+  this->Fault = result ? "" : waft::ToString(result.Kind());
   WAFT_RETURN_IF_FAILED(result);
-  this->UntakenByAir = this->IsEdit() ? this->UntakenByAir : this->Made.Air.Warnings.size();
-  for (const auto& [stage, effort] : this->Made.Efforts) // what was kept has warned already
-  {
-    const std::vector<std::string>& warnings = this->Made.Warnings[stage];
-    this->Warnings.insert(this->Warnings.end(), warnings.begin(), warnings.end());
-  }
+  this->UntakenByAir =
+    this->IsEdit() && !this->Record.IsKept ? this->UntakenByAir : this->Made.Air.Warnings.size();
+  this->Warnings.insert(this->Warnings.end(),
+                        this->Record.Warnings.begin() +
+                          static_cast<std::ptrdiff_t>(this->Read().Warnings.size()),
+                        this->Record.Warnings.end()); // the scene's are told already
   WAFT_RETURN_IF_FAILED(this->KeepMotion());
   return result;
 }
@@ -322,19 +349,6 @@ void vtkMotionAnimationSource::SetDatabase(const std::string& name)
   }
 }
 
-std::string vtkMotionAnimationSource::GetSceneDigest() const
-{
-  const waft::Scene& scene = this->Impl->Read();
-  const waft::MotionProblem problem{ scene.Info,
-                                     {},
-                                     scene.Objects,
-                                     scene.Constraints,
-                                     waft::ObstaclesOfFrames(scene.Obstacles, scene.Info.Time),
-                                     scene.Vortices,
-                                     this->Impl->File.Wind().OfFrames(scene.Info.Time) };
-  return std::to_string(waft::DigestOf(problem));
-}
-
 bool vtkMotionAnimationSource::SetStageOption(const std::string& stage, const std::string& name,
                                               double value)
 {
@@ -355,20 +369,13 @@ std::string vtkMotionAnimationSource::GetStageAtWork() const
   return this->Impl->AtWork.load();
 }
 
-std::string vtkMotionAnimationSource::WritePlan(const std::string& folder)
+void vtkMotionAnimationSource::SetFlight(const std::string& request)
 {
-  return waft::WritePlan(this->Impl->Read().Info, this->Impl->Planned(), folder).Message();
-}
-
-std::string vtkMotionAnimationSource::TakePlan(vtkPolyData* tracks, vtkPolyData* rows,
-                                               vtkPolyData* vortices, vtkTable* report)
-{
-  return this->Impl->TakePlan(tracks, rows, vortices, report).Message();
-}
-
-void vtkMotionAnimationSource::SetCheckpointFolder(const std::string& folder)
-{
-  this->Impl->CheckpointFolder = folder; // which changes nothing of the motion
+  this->Impl->Asked = waft::FlightRequestFromJson(request);
+  if (!this->Impl->Asked.Output.empty())
+  {
+    this->Modified();
+  }
 }
 
 void vtkMotionAnimationSource::SetController(vtkMultiProcessController* controller)
@@ -378,7 +385,7 @@ void vtkMotionAnimationSource::SetController(vtkMultiProcessController* controll
 
 std::string vtkMotionAnimationSource::GetFlight() const
 {
-  return this->Impl->FlightAsJson();
+  return this->Impl->Told();
 }
 
 void vtkMotionAnimationSource::HandOver(vtkAlgorithm* stage)
@@ -394,9 +401,16 @@ void vtkMotionAnimationSource::GetReport(vtkTable* report) const
   this->Impl->FillReport(report);
 }
 
-std::string vtkMotionAnimationSource::WriteFlight(const std::string& options)
+std::string vtkMotionAnimationSource::SaveFlight(const std::string& request, bool isShown)
 {
-  return this->Impl->WriteFiles(options);
+  const waft::Result saved = this->Impl->Save(waft::FlightRequestFromJson(request), isShown);
+  this->Impl->Fault = saved ? "" : waft::ToString(saved.Kind());
+  return saved.Message();
+}
+
+void vtkMotionAnimationSource::KeepFlight()
+{
+  this->Impl->KeepAir();
 }
 
 int vtkMotionAnimationSource::GetSceneSeed() const

@@ -33,7 +33,6 @@
 #include <string>
 
 class vtkMultiProcessController;
-class vtkPolyData;
 class vtkTable;
 
 namespace waft
@@ -114,35 +113,33 @@ public:
 
   /** The seed that the scene file gives; 1 before one was read. */
   int GetSceneSeed() const;
-  /** Tells scenes apart: two of one digest are the same motion. 0 before one was read. */
-  std::string GetSceneDigest() const;
   /** Sets an option of a stage, by their names in the table of the chain; false where there is
    * none. */
   bool SetStageOption(const std::string& stage, const std::string& name, double value);
 
-  ///@{
-  /**
-   * For who writes a flight as it goes. While a stage works GetStageAtWork is its name, else an
-   * empty text. After the planner has worked the source invokes UserEvent: WritePlan then writes
-   * planned.vtp, constraints.vtp, vortices.vtp and report.csv into a folder, and gives what went
-   * wrong, or an empty text. TakePlan has the next update go on from a plan instead of planning;
-   * report: columns of texts. CheckpointFolder: where assimilation.state, assimilated.state and
-   * spacetime.state are written; empty: nowhere.
-   */
+  /** The word of the stage that works; an empty text while none does. */
   std::string GetStageAtWork() const;
-  std::string WritePlan(const std::string& folder);
-  std::string TakePlan(vtkPolyData* tracks, vtkPolyData* rows, vtkPolyData* vortices,
-                       vtkTable* report);
-  void SetCheckpointFolder(const std::string& folder);
-  ///@}
+  /**
+   * The next update writes a folder of results, as waft::FlyInto does. request: JSON with the
+   * fields of waft::FlightRequest but Scene, Database and Options, which are this source's.
+   * UserEvent tells that from now on a stop leaves something. When it is over the source is as it
+   * was without.
+   */
+  void SetFlight(const std::string& request);
+  /** Writes a folder of the motion that there is, as waft::SaveFlight does; gives what went wrong,
+   * or an empty text. */
+  std::string SaveFlight(const std::string& request, bool isShown);
+  /** Keeps the air of the flight in the user's cache, so that another source, as of a state of
+   * ParaView that is loaded again, comes to the same motion without another simulation. */
+  void KeepFlight();
   /** Those besides the first are in vtkSharedWork::Serve meanwhile; null: this process alone. */
   void SetController(vtkMultiProcessController* controller);
-
   /**
-   * What came of the last update, as JSON: `efforts` ({stage: seconds, processorSeconds,
-   * threadSeconds, peakMemoryMB}), `stopped` (the stage that was stopped, or an empty text),
-   * `movedBy` (the last stage that moved objects), `hasAir`, `objects` (what planning
-   * came to).
+   * What came of the last update, as JSON: `stages` ({word: seconds, processorSeconds,
+   * threadSeconds, peakMemoryMB}), `fault` (whose a failure was: input, memory, disk, stopped, or
+   * an empty text), `seed`, `key`, `editOf` (the state whose air it flew on in), `isStopped`,
+   * `stoppedIn` (the word of the stage that was), `leftOut`, `movedBy` (the last stage that moved
+   * objects), `hasAir`, `warnings`.
    */
   std::string GetFlight() const;
   /** The next update of a stage by itself gives what this source has of it, without work; nothing
@@ -150,12 +147,6 @@ public:
   void HandOver(vtkAlgorithm* stage);
   /** What came of each row, as vtkMotionReport has it. */
   void GetReport(vtkTable* report) const;
-  /**
-   * Writes the files of the motion (waft::WriteFlight). options: JSON with the fields of
-   * waft::FlightFileOptions. Returns JSON: `report` and `warnings`, or `error`.
-   */
-  std::string WriteFlight(const std::string& options);
-
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 

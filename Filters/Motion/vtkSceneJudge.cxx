@@ -7,9 +7,7 @@
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Files/EmbeddedDatabase.h"
-#include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Pipeline/StageExecution.h"
-#include "Chain/ChainScene.h"
 #include "Chain/JudgeScene.h"
 
 #include <vtkDataSetAttributes.h>
@@ -63,26 +61,6 @@ waft::Result OfScene(const waft::Scene& scene, const waft::MotionDatabase& datab
 }
 
 } // namespace
-
-std::string vtkSceneJudge::JudgeFile(const std::string& file, const std::string& databaseFile,
-                                     vtkTable* findings)
-{
-  waft::Scene scene;
-  waft::SceneWind wind;
-  waft::MotionDatabase database;
-  waft::Result result = waft::ReadSceneAndWind(file, waft::VtkSceneAssets(), scene, wind);
-  if (result)
-  {
-    result = databaseFile.empty() ? waft::ReadEmbeddedDatabase(database)
-                                  : waft::ReadDatabaseFile(databaseFile, database);
-  }
-  if (result)
-  {
-    result = OfScene(scene, database, findings);
-    result = result ? result : waft::Result::Error(file + ": " + result.Message());
-  }
-  return result.Message();
-}
 
 std::string vtkSceneJudge::Judge(vtkPolyData* objects, vtkPolyData* constraints,
                                  vtkPolyData* obstacles, vtkTable* findings)

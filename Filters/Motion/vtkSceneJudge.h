@@ -3,12 +3,12 @@
  * @class   vtkSceneJudge
  * @brief   what of a scene cannot be, and what will be hard, before anything is flown
  *
- * Both functions give `findings` a line for each finding of waft::JudgeScene, in its order:
+ * Judge gives `findings` a line for each finding of waft::JudgeScene, in its order:
  * `Possible` (unsigned char; 0: it cannot be met), `Kind`, `Text`, `ObjectId`, `Frame`, `Row`,
  * `Target` (int; -1: of no one), `Place` (double[3], m; NaN: none). Field data: `NumberOfObjects`,
  * `NumberOfConstraints` (int), `Lines` (the sentences as they are told: of each kind the first
- * few). They return what is wrong with the scene, or an empty text; `findings` stays as it was
- * then.
+ * few). It returns what is wrong with the scene, or an empty text; `findings` stays as it was
+ * then. Of a scene file `waft check` says the same.
  */
 #ifndef vtkSceneJudge_h
 #define vtkSceneJudge_h
@@ -27,10 +27,6 @@ public:
   static vtkSceneJudge* New();
   vtkTypeMacro(vtkSceneJudge, vtkObject);
 
-  /** Of a scene file, beside a motion database (.vtm; an empty name: the one that comes with
-   * Waft). */
-  static std::string JudgeFile(const std::string& scene, const std::string& database,
-                               vtkTable* findings);
   /** Of Objects, Constraints and Obstacles, of which the last two may be null, beside the database
    * that comes with Waft; obstacles as they stand. */
   static std::string Judge(vtkPolyData* objects, vtkPolyData* constraints, vtkPolyData* obstacles,

@@ -150,6 +150,18 @@ void vtkSMMotionAnimationProxy::PostUpdateData(bool usingCache)
   }
 }
 
+vtkPVXMLElement* vtkSMMotionAnimationProxy::SaveXMLState(vtkPVXMLElement* root)
+{
+  if (this->GetLocation() != 0 && this->ObjectsCreated)
+  {
+    vtkClientServerStream stream;
+    stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "KeepFlight"
+           << vtkClientServerStream::End;
+    this->ExecuteStream(stream, /*ignore_errors=*/true);
+  }
+  return this->Superclass::SaveXMLState(root);
+}
+
 bool vtkSMMotionAnimationProxy::TakeRequest()
 {
   bool isAsked = false;

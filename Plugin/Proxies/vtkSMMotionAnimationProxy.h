@@ -26,6 +26,8 @@ public:
   void UpdateVTKObjects() override;
   /// Says of a state from before, once, what it holds nothing of.
   void UpdatePipelineInformation() override;
+  /// A state keeps the flight, too.
+  vtkPVXMLElement* SaveXMLState(vtkPVXMLElement* root) override;
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
   /// ParaView's own ends the process where a source has more than ten ports.
   void CreateSelectionProxies() override;

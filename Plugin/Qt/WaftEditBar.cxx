@@ -17,7 +17,9 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTimer>
@@ -52,6 +54,10 @@ WaftEditBar::WaftEditBar(QWidget* parent) :
   this->SaveSceneAs = this->Add("SaveSceneAs", "Save scene as...",
                                 "Write the scene, with the edits, to a file of another name; also "
                                 "what flies of sources that were made by hand");
+  this->SaveFlight = this->Add("SaveFlight", "Save flight...",
+                               "Write the flight to a folder, as the command does: for its "
+                               "pictures, its page, Blender and others");
+  this->connect(this->SaveFlight, &QAction::triggered, this, &WaftEditBar::SaveMotion);
   this->connect(this->Edit, &QAction::toggled, this->Editor, &WaftEditor::SetOn);
   this->connect(this->Mark, &QAction::toggled, this->Editor, &WaftEditor::SetPlacing);
   this->connect(this->Remove, &QAction::triggered, this->Editor, &WaftEditor::RemoveMark);
@@ -102,6 +108,7 @@ void WaftEditBar::Show()
   this->Body->setEnabled(isOn && last > 0);
   this->Mark->setEnabled(isOn && last >= 0);
   this->Remove->setEnabled(isOn && this->Editor->CanRemoveMark());
+  this->SaveFlight->setEnabled(source != nullptr);
   this->SaveScene->setEnabled(source != nullptr && waft::HasEdits(source->getProxy()));
   this->SaveSceneAs->setEnabled(source != nullptr ||
                                 waft::FlightOf(waft::ChosenIn("ActiveSources")) != nullptr);
@@ -147,6 +154,28 @@ void WaftEditBar::SaveAs()
   }
 }
 
+void WaftEditBar::SaveMotion()
+{
+  pqPipelineSource* source = this->Editor->Source();
+  pqFileDialog dialog(source->getServer(), this->window(), "Save flight: a folder for its files");
+  dialog.setObjectName("SaveFlightDialog");
+  dialog.setFileMode(pqFileDialog::Directory);
+  if (dialog.exec() != QDialog::Accepted || dialog.getSelectedFiles().isEmpty())
+  {
+    return;
+  }
+  const QString folder = dialog.getSelectedFiles().first();
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor); // for some seconds
+  const QString wrong = waft::SaveFlight(source->getProxy(), folder);
+  QGuiApplication::restoreOverrideCursor();
+  if (wrong.isEmpty())
+  {
+    this->Tell("saved: " + folder);
+    return;
+  }
+  QMessageBox::warning(this->window(), "Save flight", wrong);
+}
+
 void WaftEditBar::Saved(const QString& file)
 {
   if (pqPipelineSource* source = this->Editor->Source())
@@ -156,8 +185,13 @@ void WaftEditBar::Saved(const QString& file)
     source->setModifiedState(pqProxy::UNMODIFIED);
     this->Editor->Refresh();
   }
+  this->Tell("saved: " + file);
+}
+
+void WaftEditBar::Tell(const QString& text)
+{
   if (auto* window = qobject_cast<QMainWindow*>(this->window()))
   {
-    window->statusBar()->showMessage("saved: " + file, ToldFor);
+    window->statusBar()->showMessage(text, ToldFor);
   }
 }

@@ -23,7 +23,9 @@ private:
   void Show();
   void Save();
   void SaveAs();
+  void SaveMotion();
   void Saved(const QString& file);
+  void Tell(const QString& text);
 
   WaftEditor* Editor;
   QAction* Edit;
@@ -31,5 +33,6 @@ private:
   QAction* Remove;
   QAction* SaveScene;
   QAction* SaveSceneAs;
+  QAction* SaveFlight;
   QSpinBox* Body;
 };

@@ -310,4 +310,20 @@ bool SaveEditsAs(vtkSMProxy* source, const QString& file)
   return true;
 }
 
+QString SaveFlight(vtkSMProxy* source, const QString& folder)
+{
+  const QByteArray request =
+    QJsonDocument(QJsonObject{ { "Output", folder } }).toJson(QJsonDocument::Compact);
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(source) << "SaveFlight"
+         << request.constData() << false << vtkClientServerStream::End;
+  vtkSMSession* session = source->GetSession();
+  session->ExecuteStream(vtkPVSession::DATA_SERVER, stream);
+  const char* wrong = nullptr;
+  return session->GetLastResult(vtkPVSession::DATA_SERVER).GetArgument(0, 0, &wrong) &&
+             wrong != nullptr
+           ? QString::fromUtf8(wrong)
+           : QString("the server did not answer");
+}
+
 } // namespace waft

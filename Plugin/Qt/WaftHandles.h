@@ -72,5 +72,7 @@ bool HasEdits(vtkSMProxy* source);
 bool SaveEdits(vtkSMProxy* source);
 /// Writes the scene with them to another file, which is the source's from then on.
 bool SaveEditsAs(vtkSMProxy* source, const QString& file);
+/// Writes a folder of the flight of a Waft Animation; gives what went wrong, or an empty text.
+QString SaveFlight(vtkSMProxy* source, const QString& folder);
 
 } // namespace waft

@@ -3,6 +3,7 @@
 import functools
 import json
 import pathlib
+import subprocess
 import tempfile
 
 from case import LEAF, OUT, Case, synthesize
@@ -16,10 +17,10 @@ _made = tempfile.TemporaryDirectory()
 def _whole():
     """A small database as the command makes it, as one data set."""
     from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
-    from waft.database import make_database
+    from waft.loading import command
 
     path = pathlib.Path(_made.name) / "db.vtm"
-    make_database(str(path), simulations=1, frames=60, resolution=16, threads=1)
+    subprocess.run([command(), "database", "--output", path, *"--simulations 1 --frames 60 --resolution 16 --threads 1 -q".split()], check=True)
     reader = vtkXMLMultiBlockDataReader()
     reader.SetFileName(str(path))
     reader.Update()

@@ -163,7 +163,7 @@ def _names_in_files():
         yield _case(f"shapes.vtm names {name!r}", blocks, RENDER, "shapes.vtm", has_links=True)
 
         def picture(r, mine, name=name):
-            from waft.files import write_xml
+            from datafiles import write_xml
             from waft.reading import read_blocks
 
             shapes = read_blocks(str(r / "shapes.vtm"))

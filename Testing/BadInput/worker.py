@@ -13,6 +13,7 @@ import resource
 import select
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -23,6 +24,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent / "Python")]
 import judge  # noqa: E402
 import warm  # noqa: E402
 from case import LEAF, synthesize  # noqa: E402
+from waft import cli, loading  # noqa: E402
 
 ADDRESS_SPACE = 8 << 30  # bytes
 PROCESSOR_SECONDS = 20
@@ -56,8 +58,8 @@ def in_child(case, arguments, folder, said):
         for limit, value in limits.items():
             resource.setrlimit(limit, (value, value + 5 if limit == resource.RLIMIT_CPU else value))
         if case.act is None:
-            from waft import cli
-
+            if arguments[0] in warm.OWN:
+                os.execv(loading.command(), ["waft", *map(os.fsencode, arguments)])
             return cli.main(arguments)
         wrong = case.act()
         print(wrong or "", file=sys.stderr)
@@ -114,12 +116,7 @@ class Worker:
         """Results of an older run, with a file of the user's beside them."""
         scene = self.folder / "old.waft.json"
         scene.write_text(json.dumps(LEAF), encoding="utf-8")
-        child = os.fork()
-        if child == 0:
-            from waft import cli
-
-            os._exit(cli.main(synthesize(scene, self.kept)))
-        if os.waitpid(child, 0)[1] != 0:
+        if subprocess.run([loading.command(), *map(str, synthesize(scene, self.kept))], check=False).returncode != 0:
             raise RuntimeError("the scene of one leaf could not be done")
         (self.kept / "notes.txt").write_text("the user's own", encoding="utf-8")
         self._restore()
@@ -155,9 +152,7 @@ class Worker:
 
 
 def main(first, step, groups, pattern, every):
-    import waft.cli  # noqa: F401 (each fork has them then)
-    import waft.database  # noqa: F401
-    import waft.exporting  # noqa: F401
+    import waft.exporting  # noqa: F401 (each fork has them then)
     import waft.measuring.rows  # noqa: F401
     import waft.page.writing  # noqa: F401
     import waft.render.stage  # noqa: F401

@@ -64,6 +64,8 @@ class WidgetTest(WindowTest):
     def test_one_apply_shows_an_animation_and_its_stages(self):
         with tempfile.TemporaryDirectory() as folder:
             status, printed, notes = play("animation.xml", pathlib.Path(folder), "watch_animation.py", size=(1400, 1700))
+            report = json.loads((pathlib.Path(folder) / "flight" / "report.json").read_text(encoding="utf-8"))
+            self.assertEqual(1, report["constraints"]["met"], "the flight was saved")
         super().check_run(status, printed)
         self.assertIn({"Meshes": "MotionBodiesRepresentation", "Poses": "MotionFaintPathsRepresentation",
                        "Obstacles": "MotionObstaclesRepresentation", "Marks": "MotionMarksRepresentation"},

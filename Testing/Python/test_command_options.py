@@ -19,9 +19,7 @@ WAFT = sys.argv.pop(1)
 SOURCE = pathlib.Path(sys.argv.pop(1)).resolve()
 sys.path.insert(0, str(pathlib.Path(WAFT).resolve().parents[1] / "lib/python3/dist-packages"))
 
-from waft import cli, marks  # noqa: E402
-from waft.cli import defaults  # noqa: E402
-from waft.failures import BadInput  # noqa: E402
+from waft import marks  # noqa: E402
 from waft.run.takes import fly_takes  # noqa: E402
 from waft.scene import _schema  # noqa: E402
 
@@ -203,37 +201,31 @@ class Settings(Case):
         (self.home / folder).mkdir(exist_ok=True)
         (self.home / folder / "waft.toml").write_text(text, encoding="utf-8")
 
-    def options(self, *arguments, **variables):
-        kept = {name: value for name, value in os.environ.items() if not name.startswith(("WAFT_", "XDG_"))}
-        with mock.patch.dict(os.environ, {**kept, "HOME": str(self.home), **variables}, clear=True):
-            options = cli.parse(["synthesize", "s.waft.json", *arguments])
-            cli.command.settle(options)
-            return options
+    def said(self, *arguments, **variables):
+        """What a flight of a scene that is not there says, a line each but for that."""
+        lines = self.run_waft("synthesize", "s.waft.json", *arguments, status=2, **variables).stderr.splitlines()
+        return [line for line in lines if line != "waft: s.waft.json: no such scene file"]
 
     def test_who_goes_before_whom(self):
-        self.assertEqual("full", self.options("--output", "o").quality)
+        self.assertEqual([], self.said("--output", "o"))
         self.settings('# mine\nquality = "assimilated"\noutput = "there"\nthreads = 3\n')
-        options = self.options()
-        self.assertEqual(("air", "there", 3), (options.quality, options.output, options.threads))
-        self.assertEqual({"waft.toml"}, {taken["from"] for taken in options.taken.values()})
-        options = self.options("--preview", WAFT_THREADS="5", WAFT_QUALITY="paper", WAFT_OUTPUT="")
-        self.assertEqual(("preview", "there", 5), (options.quality, options.output, options.threads))
-        self.assertEqual({"output": "waft.toml", "threads": "WAFT_THREADS"}, {name: taken["from"] for name, taken in options.taken.items()})
-        options = self.options("--output", "o", "--quality", "full", "--threads", "2", WAFT_THREADS="5")
-        self.assertEqual(("full", "o", 2, {}), (options.quality, options.output, options.threads, options.taken))
-        options = self.options("--output", "o", WAFT_DEFAULTS="off", WAFT_THREADS="5")
-        self.assertEqual(("full", None, {}), (options.quality, options.threads, options.taken))
+        by_file = {f"waft: {words}, by waft.toml" for words in ("quality air", "output there", "threads 3")}
+        self.assertEqual(by_file, set(self.said()))
+        self.assertEqual({"waft: output there, by waft.toml", "waft: threads 5, by WAFT_THREADS"},
+                         set(self.said("--preview", WAFT_THREADS="5", WAFT_QUALITY="paper", WAFT_OUTPUT="")))
+        self.assertEqual([], self.said("--output", "o", "--quality", "full", "--threads", "2", WAFT_THREADS="5"))
+        self.assertEqual([], self.said("--output", "o", WAFT_DEFAULTS="off", WAFT_THREADS="5"))
         self.settings("threads = 7\n", "elsewhere")
-        self.assertEqual(7, self.options("--output", "o", XDG_CONFIG_HOME=str(self.home / "elsewhere")).threads)
-        self.assertEqual(3, self.options("--output", "o", XDG_CONFIG_HOME="elsewhere").threads, "no whole path: ignored")
-        self.assertIsNone(self.options("--output", "o", HOME="").threads)
+        self.assertEqual(["waft: threads 7, by waft.toml"], self.said("--output", "o", XDG_CONFIG_HOME=str(self.home / "elsewhere")))
+        self.assertEqual(by_file, set(self.said(XDG_CONFIG_HOME="elsewhere")), "no whole path: ignored")
+        self.assertEqual([], self.said("--output", "o", HOME=""))
 
     def test_what_is_wrong_is_refused_by_file_line_and_key(self):
         where = re.escape(str(self.home / ".config" / "waft.toml"))
         for text, words in (
                 ("threads = 2\nquality = 'fast'\n", "line 2: quality: expected one of preview, air, full, paper, found 'fast'"),
                 ("\nthreads = 0", "line 2: threads: expected a whole number from 1 to 1024, found '0'"),
-                ("threads = '4'", "line 1: threads: expected a whole number, found \"4\""),
+                ("threads = '4'", "line 1: threads: expected a whole number, found '4'"),
                 ("threads = true", "line 1: threads: expected a whole number, found true"),
                 ("threads = 2.5", "line 1: threads: expected a whole number, found 2.5"),
                 ("# a\n\n'output' = 7", "line 3: output: expected a text in quotes, found 7"),
@@ -241,47 +233,39 @@ class Settings(Case):
                 ("threads = 1\nseed = 7", "line 2: seed: expected one of threads, quality, output, found a key of another name"),
                 ("threads = 1\n[synthesize]\nthreads = 2", "line 2: synthesize: expected one of"),
                 ("threads = 1\na.b = 2", "line 2: a: expected one of"),
-                ("quality = [\n'full',\n]", "line 3: quality: expected a text in quotes, found"),
-                ("quality = 1979-05-27", "line 1: quality: expected a text in quotes, found \"1979-05-27\""),
-                ("threads = 1\nquality = preview\n", "line 2: quality: expected TOML such as quality = \"preview\": Invalid value"),
+                ("quality = [\n'full',\n]", "line 1: quality: expected a text in quotes, found [ 'full' ]"),
+                ("quality = 1979-05-27", "line 1: quality: expected a text in quotes, found 1979-05-27"),
+                ("threads = 1\nquality = preview\n", "line 2: quality: expected TOML such as quality = \"preview\": Error while parsing"),
                 ("threads = 1\nthreads = 2\n", "line 2: threads: expected TOML"),
                 ("threads", "line 1: threads: expected TOML"),
                 ("# " + "x" * 20000, "expected a file of at most 16384 bytes")):
             with self.subTest(text[:40]):
                 self.settings(text)
-                with self.assertRaisesRegex(BadInput, f"^{where}: {re.escape(words)}"):
-                    self.options("--output", "o")
+                self.assertRegex(self.said("--output", "o")[0], f"^waft: {where}: {re.escape(words)}")
         (self.home / ".config" / "waft.toml").write_bytes(b"quality = '\xff'\n")
-        with self.assertRaisesRegex(BadInput, f"^{where}: expected a file of TOML in UTF-8"):
-            self.options("--output", "o")
+        self.assertRegex(self.said("--output", "o")[0], f"^waft: {where}: line 1: quality: expected TOML.*utf-8")
         for make in (os.mkfifo, os.mkdir):
             (self.home / "odd").mkdir(exist_ok=True)
             make(self.home / "odd" / "waft.toml")
-            with self.assertRaisesRegex(BadInput, "odd/waft.toml: expected a file of TOML, found a (pipe|folder)"):
-                self.options("--output", "o", XDG_CONFIG_HOME=str(self.home / "odd"))
+            said = self.said("--output", "o", XDG_CONFIG_HOME=str(self.home / "odd"))
+            self.assertRegex(said[0], "odd/waft.toml: expected a file of TOML, found a (pipe|folder)")
             shutil.rmtree(self.home / "odd")
         self.settings("")
         for name, value, words in (("WAFT_THREADS", "many", "expected a whole number from 1 to 1024, found 'many'"),
                                    ("WAFT_QUALITY", "fast", "expected one of preview, air, full, paper, found 'fast'")):
-            with self.assertRaisesRegex(BadInput, f"^{name}: {words}"):
-                self.options("--output", "o", **{name: value})
-        with self.assertRaisesRegex(BadInput, "expected --output DIR, the variable WAFT_OUTPUT, or output in"):
-            self.options()
+            self.assertEqual([f"waft: {name}: {words}"], self.said("--output", "o", **{name: value}))
+        self.assertIn("expected --output DIR, the variable WAFT_OUTPUT, or output in", self.said()[0])
 
-    def test_it_is_refused_before_paraview_is_started_and_asked_of_flights_alone(self):
+    def test_it_is_refused_at_once_and_asked_of_flights_alone(self):
         self.settings("speed = 3\n")
-        tools = self.folder / "tools"
-        tools.mkdir()
-        for name, program in (("python3", os.path.realpath(sys.executable)), *((name, shutil.which(name)) for name in ("env", "sh", "pwd"))):
-            (tools / name).symlink_to(program)
         scene = self.scene()
-        done = self.run_waft("synthesize", scene, "--output", "out", "--json", status=2, PATH=str(tools))
+        done = self.run_waft("synthesize", scene, "--output", "out", "--json", status=2, PATH="")
         self.assertIn("waft.toml: line 1: speed: expected one of", done.stderr)
         self.assertIn("speed", self.document(done)["error"])
         self.assertFalse((self.folder / "out").exists())
-        self.run_waft("synthesize", "--help", PATH=str(tools))
-        self.run_waft("info", scene, PATH=str(tools))
-        self.run_waft("new", "more.waft.json", PATH=str(tools))
+        self.run_waft("synthesize", "--help", PATH="")
+        self.run_waft("info", scene, PATH="")
+        self.run_waft("new", "more.waft.json", PATH="")
 
     def test_takes_do_without(self):
         self.settings("speed = 3\n")
@@ -292,10 +276,6 @@ class Settings(Case):
             status, _ = fly_takes(str(self.folder / "scene.waft.json"), [1], str(self.folder / "takes"), "preview", log=said.append)
         self.assertEqual(2, status)
         self.assertRegex(" ".join(said), "/constraints/0/frame")
-
-    def test_the_names_are_options(self):
-        actions = cli.parse(["synthesize", "s", "--output", "o"]).defaults_of()
-        self.assertEqual(set(defaults.NAMES), set(actions))
 
 
 if __name__ == "__main__":

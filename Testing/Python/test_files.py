@@ -15,7 +15,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import waft
 from result_files import PolyData
-from waft.files import write_xml
+from datafiles import write_xml
 
 
 def poses(objects=3, frames=50):

@@ -22,7 +22,7 @@ import sample_folder  # noqa: E402
 import waft  # noqa: E402
 from waft import cli  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
-from waft.files import write_pvd, write_xml  # noqa: E402
+from datafiles import write_pvd, write_xml  # noqa: E402
 from waft.measuring import _flights, _two_sample  # noqa: E402
 from waft.measuring._airfield import AirField  # noqa: E402
 from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, gliding, make_drifters  # noqa: E402

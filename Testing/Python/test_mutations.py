@@ -27,7 +27,8 @@ from vtkmodules.vtkCommonCore import vtkStringArray  # noqa: E402
 import warm  # noqa: E402
 
 from waft import cli, failures, page, reading, render, synthesis, takes  # noqa: E402, F401
-from waft.files import write_json, write_xml  # noqa: E402
+from datafiles import write_xml  # noqa: E402
+from waft.files import write_json  # noqa: E402
 
 EVERY = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 127
 SCENE = {"waft": 1, "title": "Small", "time": {"frames": 31}, "shapes": {"leaf": {"builtin": "leaf"}, "maple": {"builtin": "maple"}},

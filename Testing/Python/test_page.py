@@ -26,7 +26,8 @@ import sample_folder  # noqa: E402
 from browser import PROGRAM, Browser  # noqa: E402
 
 from waft.failures import BadInput, WaftError  # noqa: E402
-from waft.files import write_json, write_pvd, write_xml  # noqa: E402
+from datafiles import write_pvd, write_xml  # noqa: E402
+from waft.files import write_json  # noqa: E402
 from waft.page import write_page  # noqa: E402
 from waft.page import _thinning  # noqa: E402
 from waft.page import writing as pages  # noqa: E402

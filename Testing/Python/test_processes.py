@@ -26,24 +26,18 @@ class Launches(unittest.TestCase):
     def seen(self, **variables):
         with mock.patch.dict(os.environ, variables, clear=True), \
                 mock.patch.object(os, "sched_getaffinity", lambda _: set(range(24)), create=True):
-            launched = processes.launch()
-            return launched and (launched.rank, launched.size, launched.is_bound), processes.threads_here()
+            return processes.threads_here()
 
     def test_knows_launchers(self):
         by_mpiexec = {"OMPI_COMM_WORLD_RANK": "3", "OMPI_COMM_WORLD_SIZE": "8", "OMPI_COMM_WORLD_LOCAL_SIZE": "4"}
         by_srun = {"PMIX_RANK": "1", "SLURM_STEP_NUM_TASKS": "64", "SLURM_STEP_TASKS_PER_NODE": "8(x8)", "SLURM_NTASKS": "64"}
-        self.assertEqual(self.seen(), (None, None))
-        self.assertEqual(self.seen(SLURM_NTASKS="64", SLURM_CPUS_PER_TASK="2"), (None, None))  # a batch script, by itself
-        self.assertEqual(self.seen(**by_mpiexec), ((3, 8, True), 6))
-        self.assertEqual(self.seen(**by_srun), ((1, 64, False), 3))
-        self.assertEqual(self.seen(**by_mpiexec, SLURM_CPUS_PER_TASK="2"), ((3, 8, True), 2))
-        self.assertEqual(self.seen(**{**by_mpiexec, "OMPI_COMM_WORLD_SIZE": "1"}), (None, None))
-        self.assertEqual(self.seen(**{**by_mpiexec, "OMPI_COMM_WORLD_RANK": "none"}), (None, None))
-
-    def test_is_alone_where_it_left(self):
-        with mock.patch.dict(os.environ, {"OMPI_COMM_WORLD_RANK": "0", "PMIX_NAMESPACE": "job", "OTHER": "1"}, clear=True):
-            processes.leave_launcher()
-            self.assertEqual(dict(os.environ), {"OTHER": "1"})
+        self.assertIsNone(self.seen())
+        self.assertIsNone(self.seen(SLURM_NTASKS="64", SLURM_CPUS_PER_TASK="2"))  # a batch script, by itself
+        self.assertEqual(self.seen(**by_mpiexec), 6)
+        self.assertEqual(self.seen(**by_srun), 3)
+        self.assertEqual(self.seen(**by_mpiexec, SLURM_CPUS_PER_TASK="2"), 2)
+        self.assertIsNone(self.seen(**{**by_mpiexec, "OMPI_COMM_WORLD_SIZE": "1"}))
+        self.assertIsNone(self.seen(**{**by_mpiexec, "OMPI_COMM_WORLD_RANK": "none"}))
 
 
 class Command(unittest.TestCase):

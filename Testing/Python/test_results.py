@@ -14,6 +14,7 @@ import os
 import pathlib
 import resource
 import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -21,14 +22,13 @@ import types
 import unittest
 from unittest import mock
 
+from datafiles import write_xml
 from waft import beneath, renaming
 from waft.beneath import Folder
-from waft.database import database_place, settle_database
 from waft.failures import BadInput, WaftError
-from waft.files import write_xml
-from waft.resuming import Checkpoint
 from waft.results import Busy, ResultPlace, manifest_in, manifest_of
 from waft.results import place as results
+from waft.loading import command
 from waft.temporary import temporary_name
 from waft.writing import result_place, settled
 
@@ -37,6 +37,7 @@ _ADDON.__path__ = [str(pathlib.Path(__file__).parents[2] / "Plugin" / "Blender" 
 sys.modules["addon"] = _ADDON
 flight = importlib.import_module("addon.flight")
 
+LEAF = {"waft": 1, "time": {"frames": 3}, "shapes": {"leaf": {"builtin": "leaf"}}, "objects": [{"shape": "leaf", "position": [0, 0, 2]}]}
 NAMES = ["poses.csv", "shapes/", "shapes.vtm", "report.json"]
 
 
@@ -112,6 +113,16 @@ class Base(unittest.TestCase):
         for part in (str(self.out / name), *(parts or ("stays as it is",))):
             self.assertIn(part, str(caught.exception))
         self.assertEqual(before, manifest_of(self.out))
+
+    def assert_not_flown(self, words):
+        """The program, which has places of its own, refuses to fly into the folder, and leaves it as it is."""
+        before = set(self.out.rglob("*"))
+        scene = self.folder / "scene.waft.json"
+        scene.write_text(json.dumps(LEAF), encoding="utf-8")
+        done = subprocess.run([command(), "synthesize", scene, "--output", self.out, "--preview"], capture_output=True, text=True, check=False)
+        self.assertEqual(2, done.returncode, done.stderr)
+        self.assertRegex(done.stderr, words)
+        self.assertEqual(before, set(self.out.rglob("*")))
 
     def cut_short(self):
         """A run that is killed while its results change hands, before shapes.vtm is in."""
@@ -200,8 +211,7 @@ class Results(Base):
                 self.out = self.folder / "_".join(names)
                 for name in names:
                     self.put(f"checkpoint/{name}")
-                with result_place(self.out) as place, self.assertRaisesRegex(BadInput, "checkpoint.*stays"):
-                    Checkpoint(place, "some key")
+                self.assert_not_flown("checkpoint.*stays")
 
     def test_a_checkpoint_of_links_is_refused(self):
         for kind in ("link", "pipe", "folder"):
@@ -210,8 +220,7 @@ class Results(Base):
                 self.put(f"checkpoint/{name}")
             path = self.out / "checkpoint" / "assimilation.state"
             path.symlink_to(self.folder / "precious") if kind == "link" else os.mkfifo(path) if kind == "pipe" else path.mkdir()
-            with result_place(self.out) as place, self.assertRaisesRegex(BadInput, "checkpoint.*stays"):
-                Checkpoint(place, "some key")
+            self.assert_not_flown("checkpoint.*stays")
 
 
 class Pictures(Base):
@@ -445,16 +454,19 @@ class CutShort(Base):
         whole.append(manifest_of(self.out))
         self.assertGreater(self.attack(lambda: self.draw("new", Pictures.NAMES[0]), self.put_right, whole, "pictures.json"), 8)
 
-    def test_databases(self):
+    def test_results_beside_others(self):
+        def database_place():
+            return ResultPlace(self.out, "air/manifest.json", room="air.vtm.kept", owns=lambda name: name.startswith("air"))
+
         def make(text):
-            with database_place(self.out / "air.vtm") as place:
+            with database_place() as place:
                 place.check(["air.vtm", "air/"])
                 for name in ("air.vtm", "air/0.vtp", f"air/{text}.vtp"):
                     place.path(name).write_text(text, encoding="utf-8")
                 place.commit({})
 
         def put_right():
-            with database_place(self.out / "air.vtm"):
+            with database_place():
                 pass
 
         whole = self.both(lambda: make("old"), lambda: make("new"))
@@ -579,6 +591,11 @@ class Strangers(Base):
 
     ROW = {"size": 4, "digest": "sha256:" + hashlib.sha256(b"mine").hexdigest()}
 
+    def made(self, *options):
+        """What the program says where it is to make a database of this folder."""
+        return subprocess.run([command(), "database", "--output", self.out / "air.vtm", *options, "--simulations", "1", "--resolution", "8",
+                               "--frames", "30"], capture_output=True, text=True, check=False)
+
     def test_a_place_beside_others_takes_its_own_names_alone(self):
         """A database, whose folder is that of whatever lies beside it."""
         for name in ("thesis.txt", ".bashrc", "air2/x", "airx", "air/../thesis.txt"):
@@ -592,20 +609,17 @@ class Strangers(Base):
                 for change in ({"new": [seal, row], "old": []}, {"new": [seal], "old": [row]}):
                     self.put(f"air.vtm.kept/{staging}/manifest.json", json.dumps({"seal": "air/manifest.json", **change}))
                     before = manifest_of(self.out)
-                    with self.assertRaises(BadInput):
-                        settle_database(self.out / "air.vtm")
+                    self.assertEqual(2, self.made().returncode)
                     self.assertEqual(before, manifest_of(self.out))
                 os.rename(self.out / "air.vtm.kept", self.out / "aside")
                 self.put("air/manifest.json", json.dumps({"manifest": [row]}))
-                with self.assertRaises(BadInput), database_place(self.out / "air.vtm") as place:
-                    place.check(["air.vtm", "air/"])
+                self.assertEqual(2, self.made().returncode)
 
     def test_a_room_that_is_a_link_is_refused(self):
         (self.folder / "precious").mkdir()
         self.put("air.vtm")
         (self.out / "air.vtm.kept").symlink_to(self.folder / "precious")
-        with self.assertRaisesRegex(BadInput, "air.vtm.kept: .*is no folder"), database_place(self.out / "air.vtm"):
-            pass
+        self.assertRegex(self.made().stderr, "air.vtm.kept: .*is no folder")
         self.assertEqual([], list((self.folder / "precious").iterdir()))
 
     def test_a_change_without_its_seal_is_none(self):
@@ -615,6 +629,7 @@ class Strangers(Base):
         before = manifest_of(self.out)
         with self.assertRaisesRegex(BadInput, "manifest.json: expected names of these results"):
             self.put_right()
+        self.assert_not_flown("manifest.json: expected names of these results")
         self.assertEqual(before, manifest_of(self.out))
 
 

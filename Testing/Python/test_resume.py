@@ -16,10 +16,9 @@ import unittest
 import warm
 
 from waft.results import manifest_of, manifest_rows
-from waft.resuming import PLAN, Checkpoint
+from waft.resuming import PLAN
 from waft.synthesis import synthesize
 from waft.watching import NOTHING_COMPUTED, Clock, keep_stops
-from waft.writing import result_place
 
 SHORT = {"Spacetime": {"NumberOfGasParticles": 216, "LeashIterations": 5, "MaximumNumberOfIterations": 20}}
 SCENE = {
@@ -166,25 +165,26 @@ class Resume(unittest.TestCase):
 
     def test_a_plan_that_is_as_its_digests_say_is_looked_at(self):
         """Somebody else may have written both."""
-        out = self.folder / "somebody"
-        self.kill_at(0.0, out)
-        whole = json.loads((out / "checkpoint" / "key").read_text(encoding="utf-8"))
-        rows = (out / "checkpoint" / "report.csv").read_text(encoding="utf-8")
-        for name, content, words in (("key", json.dumps({**whole, "objects": 5}), "key is damaged"),
-                                     ("key", json.dumps({**whole, "objects": [{"objectId": 1e19}]}), "key is damaged"),
-                                     ("key", json.dumps({**whole, "key": [1]}), "key is damaged"),
-                                     ("report.csv", rows.replace("Status", "Stand", 1), "column Status: expected a text, found nothing"),
-                                     ("report.csv", rows.replace("\n0,", "\nx,", 1), "column Row: expected a whole number, found 'x'"),
-                                     ("planned.vtp", "<VTKFile/>", "planned.vtp: "), ("report.csv", rows, "")):
-            (out / "checkpoint" / name).write_text(content, encoding="utf-8")
-            with result_place(out) as place:
-                if name != "key":
+        killed = self.folder / "somebody"
+        self.kill_at(0.0, killed)
+        whole = json.loads((killed / "checkpoint" / "key").read_text(encoding="utf-8"))
+        row = whole["report"][0]
+        lost = {name: value for name, value in row.items() if name != "Status"}
+        for number, (changed, words) in enumerate((
+                ({"objects": 5}, "key: objects: expected an entry"), ({"objects": [{"objectId": 1e19}]}, "key: objects: expected an entry"),
+                ({"key": [1]}, "key is damaged"), ({"report": [lost]}, "key: .*Status"), ({"report": [{**row, "Row": "x"}]}, "key: .*Row"),
+                ({"report": [row, lost]}, "key: report: expected rows"), ("<VTKFile/>", "planned.vtp: "))):
+            with self.subTest(words):
+                out = self.folder / f"somebody{number}"
+                shutil.copytree(killed, out)
+                if isinstance(changed, str):
+                    (out / "checkpoint" / "planned.vtp").write_text(changed, encoding="utf-8")
                     manifest = manifest_rows(manifest_of(out / "checkpoint"))
-                    kept = {**whole, "manifest": [row for row in manifest if row["name"] in ("report.csv", *PLAN)]}
-                    (out / "checkpoint" / "key").write_text(json.dumps(kept), encoding="utf-8")
-                self.assertIn(words, Checkpoint(place, whole["key"]).lack())
-            if name == "planned.vtp":
-                shutil.copy(self.whole / name, out / "checkpoint" / name)
+                    changed = {"manifest": [entry for entry in manifest if entry["name"] in PLAN]}
+                (out / "checkpoint" / "key").write_text(json.dumps({**whole, **changed}), encoding="utf-8")
+                status, text = self.finish(out, resume=True)
+                self.assertEqual(0, status, text)
+                self.assertRegex(text, f"checkpoint/.*{words}.*: done from the start")
 
     def test_a_stop_while_a_clock_is_set_up_is_seen(self):
         def be_stopped():

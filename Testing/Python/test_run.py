@@ -322,13 +322,15 @@ class MemoryTest(unittest.TestCase):
     def test_too_little_memory_is_no_fault_of_the_input(self):
         from waft.run.engine import Engine
 
-        for message, kind, status in (("Planner: expected an input that fits into memory, found too little memory for it", waft.WaftError, 1),
-                                      ("Planner: expected an input that fits into memory, found one beyond any", waft.BadInput, 2)):
+        for message, fault, kind, status in (("a.json: found too little memory for it", "memory", waft.WaftError, 1),
+                                             ("a.csv: could not be written", "disk", waft.WaftError, 1),
+                                             ("Planner: expected another", "input", waft.BadInput, 2)):
             engine = Engine.__new__(Engine)
-            engine.algorithm, engine.warnings = mock.Mock(), []
+            engine.algorithm = mock.Mock()
+            engine.algorithm.GetFlight.return_value = json.dumps({"fault": fault})
             said = mock.patch("waft.run.engine.collect", lambda _, event, texts, message=message: (
                 mock.Mock(), texts.append(message) if event == "ErrorEvent" else None))
             with said, self.assertRaises(waft.WaftError) as raised:
-                engine._update(mock.Mock(), lambda: None)
+                engine._update(mock.Mock())
             self.assertIs(kind, type(raised.exception))
             self.assertEqual((message, status), (str(raised.exception), raised.exception.status))

@@ -7,9 +7,11 @@ has all that the port has.
 import csv
 import hashlib
 import json
+import os
 import pathlib
 import tempfile
 import unittest
+from unittest import mock
 
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -118,6 +120,31 @@ class SavedPortsTest(unittest.TestCase):
                     for row, line in enumerate(rows):
                         wanted = column.GetComponent(row, part)
                         self.assertAlmostEqual(float(line[part_name]), wanted, delta=1e-4 * max(1.0, abs(wanted)))
+
+    def test_a_state_keeps_its_flight(self):
+        """Loaded again, as later and elsewhere: the same motion without another air, and without a word; an edit flies on in it."""
+        poses = self.names.index("Poses")
+
+        def flown(animation):
+            waft.update(animation)
+            source = animation.GetClientSideObject()
+            return json.loads(source.GetFlight()), contents(source.GetOutputDataObject(poses))
+
+        first, motion = flown(self.animation)
+        with mock.patch.dict(os.environ, {"WAFT_CACHE": str(self.folder / "cache")}):
+            simple.SaveState(str(self.folder / "state.pvsm"))
+            self.assertEqual([f"{first['key']}.state"], os.listdir(self.folder / "cache"))
+            before = set(simple.GetSources().values())
+            simple.LoadState(str(self.folder / "state.pvsm"))
+            loaded = next(source for source in simple.GetSources().values() if source not in before and source.SMProxy.GetXMLName() == "WaftAnimation")
+            again, same = flown(loaded)
+            self.assertEqual(motion, same)
+            self.assertLess(again["stages"]["assimilation"]["processorSeconds"], 0.5 * first["stages"]["assimilation"]["processorSeconds"])
+            self.assertEqual(0, loaded.GetClientSideObject().GetWantsNewAir())
+            loaded.Seed = 8
+            self.assertNotEqual(motion, flown(loaded)[1], "another flight")
+            self.assertEqual(1, len(os.listdir(self.folder / "cache")), "a flight that no state has is not kept")
+        self.check_quiet()
 
     def test_all_frames_are_saved(self):
         simple.SaveData(str(self.folder / "flight.pvd"), self.animation["Meshes"], WriteTimeSteps=1)

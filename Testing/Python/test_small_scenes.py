@@ -14,7 +14,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from waft.files import write_xml
+from datafiles import write_xml
 from waft.reading import read_surface
 
 SCENES = pathlib.Path(sys.argv.pop(2))

@@ -4,7 +4,7 @@
     warm = Warm(WAFT)                                 WAFT: the command of the build or of an installed tree
     done = warm.run("check", "a.waft.json", cwd=folder)       as subprocess.run gives it, with status and words
 
-One process of ParaView's Python has the package loaded, and each call is a fork of it.
+One process of ParaView's Python has the package loaded, and each call of what is Python's is a fork of it.
 """
 import importlib
 import json
@@ -16,8 +16,9 @@ import tempfile
 import traceback
 
 # What a run loads late.
-LOADED = ("waft.cli", "waft.render.stage", "waft.results.writing", "waft.run.database", "waft.run.engine", "waft.run.result",
-          "waft.run.synthesis", "waft.scene.checking", "waft.scene.starting", "paraview.catalyst.detail")
+LOADED = ("waft.cli", "waft.render.stage", "waft.results.writing", "waft.run.engine", "waft.run.result", "waft.run.synthesis",
+          "waft.scene.starting", "paraview.catalyst.detail")
+OWN = ("synthesize", "check", "database")  # commands of the program itself, which starts at once
 
 
 def load():
@@ -56,12 +57,15 @@ def become(act, folder, output, errors):
 
 class Warm:
     def __init__(self, waft):
+        self._waft = str(waft)
         package = pathlib.Path(waft).resolve().parents[1] / "lib/python3/dist-packages"
         environment = {**os.environ, "PYTHONPATH": str(package), "OMPI_MCA_ess_singleton_isolated": "1", "HWLOC_COMPONENTS": "-gl"}
         self._process = subprocess.Popen(["pvpython", __file__], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
 
     def run(self, *arguments, cwd=None):
         command = [str(argument) for argument in arguments]
+        if command[0] in OWN:
+            return subprocess.run([self._waft, *command], cwd=cwd, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
             files = [f"/proc/{os.getpid()}/fd/{stream.fileno()}" for stream in (output, errors)]
             print(json.dumps([command, str(cwd or os.getcwd()), *files]), file=self._process.stdin, flush=True)

@@ -85,18 +85,6 @@ std::vector<Constraint> PosedRows(const Motion& motion)
   return rows;
 }
 
-std::string CellText(vtkTable* table, vtkIdType row, const char* column)
-{
-  const vtkVariant value = table->GetValueByName(row, column);
-  if (!value.IsDouble() && !value.IsFloat())
-  {
-    return value.ToString();
-  }
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.17g", value.ToDouble());
-  return std::isnan(value.ToDouble()) ? "" : text;
-}
-
 std::vector<std::string> ColumnsOf(vtkTable* table)
 {
   std::vector<std::string> columns;
@@ -136,7 +124,7 @@ std::string Quoted(std::string text)
 
 Result NotWritten(const std::string& path, const std::string& reason)
 {
-  return Result::Error(path + ": could not be written: " + reason);
+  return Result::Error(path + ": could not be written: " + reason, ErrorKind::Disk);
 }
 
 vtkSmartPointer<vtkDataObject> Stamped(vtkDataObject* data, double time)
@@ -170,7 +158,7 @@ public:
     return this->Options.HasFields ? this->WriteFields() : Result::Ok();
   }
 
-  std::string Report() const
+  SceneJson Report() const
   {
     return MotionAsJson(this->TheScene.Info, this->Made, this->Poses, this->Convergence);
   }
@@ -462,7 +450,7 @@ Result Flight::WriteAir()
 } // namespace
 
 Result WriteFlight(const Scene& scene, const Motion& motion, const FlightFileOptions& options,
-                   Monitor& monitor, std::string& report, std::vector<std::string>& warnings)
+                   Monitor& monitor, SceneJson& report, std::vector<std::string>& warnings)
 {
   Flight flight(scene, motion, options, monitor, warnings);
   WAFT_RETURN_IF_FAILED(flight.Write());
@@ -486,9 +474,7 @@ Result WritePlan(const SceneInfo& info, const PlanOutput& plan, const std::strin
       return NotWritten(name, written.Message());
     }
   }
-  vtkNew<vtkTable> report;
-  ReportToTable(plan.Report, info, report);
-  return WriteCsv(folder + "/report.csv", report, {});
+  return Result::Ok();
 }
 
 void JoinedReportToTable(const std::vector<JoinedRow>& report, const SceneInfo& info,
@@ -499,6 +485,18 @@ void JoinedReportToTable(const std::vector<JoinedRow>& report, const SceneInfo& 
                [](const JoinedRow& line) { return line.Target != OfNoRow; });
   ReportToTable({ lines.begin(), lines.end() }, info, table);
   AddColumn(table->GetRowData(), names::LiftOff, lines, &JoinedRow::LiftOff);
+}
+
+std::string CellText(vtkTable* table, vtkIdType row, const char* column)
+{
+  const vtkVariant value = table->GetValueByName(row, column);
+  if (!value.IsDouble() && !value.IsFloat())
+  {
+    return value.ToString();
+  }
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.17g", value.ToDouble());
+  return std::isnan(value.ToDouble()) ? "" : text;
 }
 
 Result WriteCsv(const std::string& path, vtkTable* table, const std::vector<std::string>& columns)

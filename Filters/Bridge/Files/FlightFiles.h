@@ -6,6 +6,9 @@
 #include "Base/Result.h"
 #include "Chain/Motion.h"
 #include "Scene/Scene.h"
+#include "Scene/SceneNode.h"
+
+#include <vtkType.h>
 
 #include <string>
 #include <vector>
@@ -30,20 +33,22 @@ struct FlightFileOptions
   std::string AirStateFile; // becomes assimilated.state; empty: none does
 };
 
-/// Writes the files of a motion. report: what of report.json follows from the motion, a JSON
-/// object. warnings: what was odd. Fails with the path where a file cannot be written; what there
-/// is by then stays.
+/// Writes the files of a motion. report: what of report.json follows from the motion. warnings:
+/// what was odd. Fails with the path where a file cannot be written; what there is by then stays.
 Result WriteFlight(const Scene& scene, const Motion& motion, const FlightFileOptions& options,
-                   Monitor& monitor, std::string& report, std::vector<std::string>& warnings);
+                   Monitor& monitor, SceneJson& report, std::vector<std::string>& warnings);
 
-/// Writes planned.vtp, constraints.vtp, vortices.vtp and report.csv of a plan into a folder.
+/// Writes planned.vtp, constraints.vtp and vortices.vtp of a plan into a folder.
 Result WritePlan(const SceneInfo& info, const PlanOutput& plan, const std::string& folder);
 /// The joined report of a motion; see vtkMotionReport.
 void JoinedReportToTable(const std::vector<JoinedRow>& report, const SceneInfo& info,
                          vtkTable* table);
 
-/// Rows with commas between, doubles with 17 significant digits, of which what is no number is
-/// empty. A text that programs for tables would take for a formula gets an apostrophe.
+/// A cell as it stands in files of text: doubles with 17 significant digits, of which what is no
+/// number is empty.
+std::string CellText(vtkTable* table, vtkIdType row, const char* column);
+/// Rows with commas between, cells by CellText. A text that programs for tables would take for a
+/// formula gets an apostrophe.
 Result WriteCsv(const std::string& path, vtkTable* table, const std::vector<std::string>& columns);
 
 } // namespace waft

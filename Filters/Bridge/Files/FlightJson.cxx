@@ -135,8 +135,8 @@ SceneJson AgreementOf(vtkPolyData* poses)
 
 } // namespace
 
-std::string MotionAsJson(const SceneInfo& info, const Motion& motion, vtkPolyData* poses,
-                         vtkTable* convergence)
+SceneJson MotionAsJson(const SceneInfo& info, const Motion& motion, vtkPolyData* poses,
+                       vtkTable* convergence)
 {
   SceneJson report = SceneJson::object();
   const Timeline& line = info.Time;
@@ -167,71 +167,47 @@ std::string MotionAsJson(const SceneInfo& info, const Motion& motion, vtkPolyDat
       report["free"].push_back({ { "object", row.ObjectId }, { "touchDown", row.TouchDown } });
     }
   }
-  return report.dump();
+  return report;
 }
 
-std::string WriteFlightAsJson(const Scene& scene, const Motion& motion, const std::string& options,
-                              Monitor& monitor)
+SceneJson AsJson(const Effort& effort)
 {
-  const SceneJson given = SceneJson::parse(options, nullptr, false);
-  FlightFileOptions own;
-  own.Folder = given.value("Folder", own.Folder);
-  own.HasAnimation = given.value("HasAnimation", own.HasAnimation);
-  own.HasCsv = given.value("HasCsv", own.HasCsv);
-  own.HasMeshes = given.value("HasMeshes", own.HasMeshes);
-  own.HasParticles = given.value("HasParticles", own.HasParticles);
-  own.HasAllAir = given.value("HasAllAir", own.HasAllAir);
-  own.IsHurried = given.value("IsHurried", own.IsHurried);
-  own.HasFields = given.value("HasFields", own.HasFields);
-  own.PlannedFile = given.value("PlannedFile", own.PlannedFile);
-  own.AirStateFile = given.value("AirStateFile", own.AirStateFile);
-  std::string report;
-  std::vector<std::string> warnings;
-  const Result written = WriteFlight(scene, motion, own, monitor, report, warnings);
-  SceneJson told = SceneJson::object();
-  if (written)
-  {
-    told["report"] = SceneJson::parse(report);
-    told["warnings"] = warnings;
-  }
-  else
-  {
-    told["error"] = written.Message();
-  }
-  return told.dump();
+  return { { "seconds", effort.Seconds },
+           { "processorSeconds", effort.Processor },
+           { "threadSeconds", effort.Thread },
+           { "peakMemoryMB", effort.PeakMB } };
 }
 
-std::string FlightAsJson(const Motion& motion)
+SceneJson PlannedAsJson(const std::vector<ObjectRow>& rows)
 {
-  SceneJson told = SceneJson::object();
-  told["efforts"] = SceneJson::object();
-  for (const ChainStageTraits& stage : ChainStages())
+  SceneJson told = SceneJson::array();
+  for (const ObjectRow& row : rows)
   {
-    const auto effort = motion.Efforts.find(stage.Stage);
-    if (effort != motion.Efforts.end())
+    told.push_back({ { "objectId", row.ObjectId },
+                     { "rows", row.NumberOfRows },
+                     { "met", row.NumberOfMet },
+                     { "status", ToString(row.Status) },
+                     { "cost", row.Cost },
+                     { "branches", row.NumberOfBranches },
+                     { "seconds", row.Seconds },
+                     { "message", row.Message } });
+  }
+  return told;
+}
+
+SceneJson RowsAsJson(vtkTable* table)
+{
+  SceneJson rows = SceneJson::array();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    SceneJson& line = rows.emplace_back(SceneJson::object());
+    for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
     {
-      told["efforts"][stage.Name] = { { "seconds", effort->second.Seconds },
-                                      { "processorSeconds", effort->second.Processor },
-                                      { "threadSeconds", effort->second.Thread },
-                                      { "peakMemoryMB", effort->second.PeakMB } };
+      const char* name = table->GetColumnName(i);
+      line[name] = CellText(table, row, name);
     }
   }
-  told["stopped"] = motion.IsStopped ? TraitsOf(motion.StoppedIn).Name : "";
-  told["movedBy"] = TraitsOf(motion.MovedBy()).Name;
-  told["hasAir"] = !motion.Air.Air->Velocity.IsEmpty();
-  told["objects"] = SceneJson::array();
-  for (const ObjectRow& row : motion.Plan.Objects)
-  {
-    told["objects"].push_back({ { "objectId", row.ObjectId },
-                                { "rows", row.NumberOfRows },
-                                { "met", row.NumberOfMet },
-                                { "status", ToString(row.Status) },
-                                { "cost", row.Cost },
-                                { "branches", row.NumberOfBranches },
-                                { "seconds", row.Seconds },
-                                { "message", row.Message } });
-  }
-  return told.dump();
+  return rows;
 }
 
 } // namespace waft

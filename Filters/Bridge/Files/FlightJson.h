@@ -2,12 +2,12 @@
 // What is told of a flight as JSON.
 #pragma once
 
-#include "Base/Monitor.h"
+#include "Base/Effort.h"
 #include "Base/Types.h"
 #include "Chain/Motion.h"
-#include "Scene/Scene.h"
+#include "Scene/SceneNode.h"
 
-#include <string>
+#include <vector>
 
 class vtkPolyData;
 class vtkTable;
@@ -18,14 +18,13 @@ namespace waft
 /// What of report.json follows from a motion: `time`, `energy`, `dynamics`, `forces`,
 /// `fieldsExplained`, `fit`, `settled`, `agreement`, `free`. poses and convergence: as they are
 /// written.
-std::string MotionAsJson(const SceneInfo& info, const Motion& motion, vtkPolyData* poses,
-                         vtkTable* convergence);
-
-/// WriteFlight by programs that know no C++: options and what comes of it as JSON, by the names of
-/// the fields: `report` and `warnings`, or `error`.
-std::string WriteFlightAsJson(const Scene& scene, const Motion& motion, const std::string& options,
-                              Monitor& monitor);
-/// What a motion came to; see vtkMotionAnimationSource::GetFlight.
-std::string FlightAsJson(const Motion& motion);
+SceneJson MotionAsJson(const SceneInfo& info, const Motion& motion, vtkPolyData* poses,
+                       vtkTable* convergence);
+/// seconds, processorSeconds, threadSeconds, peakMemoryMB.
+SceneJson AsJson(const Effort& effort);
+/// What planning came to, an entry an object.
+SceneJson PlannedAsJson(const std::vector<ObjectRow>& rows);
+/// An object a row, all texts.
+SceneJson RowsAsJson(vtkTable* table);
 
 } // namespace waft

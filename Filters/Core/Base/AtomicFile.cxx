@@ -96,7 +96,8 @@ bool PartFile::Fail()
 
 Result PartFile::Failure() const
 {
-  return Result::Error("cannot write " + this->Path + ": " + std::strerror(this->Reason));
+  return Result::Error("cannot write " + this->Path + ": " + std::strerror(this->Reason),
+                       ErrorKind::Disk);
 }
 
 bool PartFile::Open()

@@ -4,6 +4,7 @@
 #include "Base/Characters.h"
 
 #include <cstddef>
+#include <cstdio>
 
 namespace waft
 {
@@ -14,6 +15,15 @@ namespace
 bool IsContinuation(char c)
 {
   return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+/// "\\x1b", "\\u202e".
+std::string Escape(char32_t code)
+{
+  char text[16];
+  std::snprintf(text, sizeof(text), code < 0x100 ? "\\x%02x" : "\\u%04x",
+                static_cast<unsigned>(code));
+  return text;
 }
 
 } // namespace
@@ -45,7 +55,7 @@ std::string MessageText(const std::string& text)
     const bool isHidden =
       IsControl(character.Code) && character.Code != '\n' && character.Code != '\t';
     clean += character.Bytes == 0 ? "\xEF\xBF\xBD"
-             : isHidden           ? " "
+             : isHidden           ? Escape(character.Code)
                                   : whole.substr(i, character.Bytes);
     i += character.Bytes == 0 ? 1 : character.Bytes;
   }

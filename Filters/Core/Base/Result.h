@@ -9,16 +9,33 @@
 namespace waft
 {
 
+/// Whose fault a failure is.
+enum class ErrorKind
+{
+  Input,  // a file, a value, or what was asked for: nothing was done
+  Memory, // there is too little of it
+  Disk,   // a file could not be written
+  Stopped // before there was anything worth keeping
+};
+
+/// "input", "memory", "disk", "stopped".
+inline const char* ToString(ErrorKind kind)
+{
+  constexpr const char* words[] = { "input", "memory", "disk", "stopped" };
+  return words[static_cast<int>(kind)];
+}
+
 /// Success, or a sentence that names the place (file, row, array, object) and what was expected.
 class [[nodiscard]] Result
 {
 public:
   static Result Ok() { return {}; }
   /// The message is made valid UTF-8 of less than 2 kB, whatever it quotes.
-  static Result Error(const std::string& message)
+  static Result Error(const std::string& message, ErrorKind kind = ErrorKind::Input)
   {
     Result result;
     result.Failed = true;
+    result.Fault = kind;
     result.Text = MessageText(message);
     return result;
   }
@@ -34,10 +51,13 @@ public:
   explicit operator bool() const { return !this->Failed; }
   bool IsStopped() const { return this->WasStopped; }
   const std::string& Message() const { return this->Text; }
+  /// Of a failure.
+  ErrorKind Kind() const { return this->Fault; }
 
 private:
   bool Failed = false;
   bool WasStopped = false;
+  ErrorKind Fault = ErrorKind::Input;
   std::string Text;
 };
 

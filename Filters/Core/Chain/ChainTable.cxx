@@ -54,6 +54,7 @@ std::vector<ChainStageTraits> MakeStages()
     { scene,
       "Scene",
       "MotionSceneReader",
+      "reader",
       "A scene file is read",
       1,
       all,
@@ -68,6 +69,7 @@ std::vector<ChainStageTraits> MakeStages()
     { planner,
       "Planner",
       "StylisticPlannerFilter",
+      "planner",
       "Paths are planned from mark to mark out of the motion database",
       6,
       all,
@@ -88,6 +90,7 @@ std::vector<ChainStageTraits> MakeStages()
     { air,
       "Assimilation",
       "AirAssimilationFilter",
+      "assimilation",
       "One air is drawn in which all objects drift to their marks with the least control",
       45,
       { Quality::Preview, Quality::Air, Quality::Full },
@@ -108,6 +111,7 @@ std::vector<ChainStageTraits> MakeStages()
     { optimiser,
       "Spacetime",
       "SPHSpacetimeFilter",
+      "spacetime",
       "All frames of gas and objects are solved at once, from the air or from the plan",
       45,
       { Quality::Full, Quality::Paper },
@@ -131,6 +135,7 @@ std::vector<ChainStageTraits> MakeStages()
     { ChainStage::Rotation,
       "Rotation",
       "RotationRefineFilter",
+      "rotation",
       "Bodies are turned by the air along their paths, and laid on surfaces",
       2,
       all,
@@ -149,6 +154,7 @@ std::vector<ChainStageTraits> MakeStages()
     { ChainStage::VortexFit,
       "VortexFit",
       "VortexFitFilter",
+      "fit",
       "Vortices are fitted to how the air turns about the paths",
       1,
       { Quality::Full },
@@ -326,6 +332,7 @@ std::string ChainTableAsJson()
     nlohmann::ordered_json one;
     one["name"] = stage.Name;
     one["proxy"] = stage.Proxy;
+    one["word"] = stage.Word;
     one["sentence"] = stage.Sentence;
     one["share"] = stage.Share;
     for (const Quality quality : stage.RunsAt)

@@ -86,6 +86,7 @@ struct ChainStageTraits
   ChainStage Stage;
   const char* Name;     // in ParaView's browser
   const char* Proxy;    // of the server manager
+  const char* Word;     // in report.json, messages and Python
   const char* Sentence; // subject first, without its end
   double Share;         // of the time of a run, roughly
   std::vector<Quality> RunsAt;
@@ -117,10 +118,10 @@ const std::vector<MotionPortTraits>& MotionPorts();
 /// Name and value of each option of a stage that is not at its default at a quality.
 std::vector<std::pair<std::string, double>> SettingsOf(ChainStage stage, Quality quality);
 
-/// The table as JSON: `stages`, each with `name`, `proxy`, `sentence`, `share`, `qualities`,
-/// `inputs` ({name: [[[stage, port]]]}, as ChainInput has it), `takes` ({name: [class of VTK,
-/// whether it is needed]}), `outputs`, `options`; `motion`: names of MotionPorts; `qualities`;
-/// `settings` ({quality: {stage: {option: value}}}, where they are not the defaults).
+/// The table as JSON: `stages`, each with `name`, `proxy`, `word`, `sentence`, `share`,
+/// `qualities`, `inputs` ({name: [[[stage, port]]]}, as ChainInput has it), `takes` ({name: [class
+/// of VTK, whether it is needed]}), `outputs`, `options`; `motion`: names of MotionPorts;
+/// `qualities`; `settings` ({quality: {stage: {option: value}}}, where they are not the defaults).
 std::string ChainTableAsJson();
 
 } // namespace waft

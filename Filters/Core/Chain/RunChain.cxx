@@ -436,4 +436,33 @@ Result RunChain(const ChainInputs& inputs, const ChainOptions& options, const Pa
     .Run();
 }
 
+std::string DigestOfRun(const Scene& scene, const SceneWind& wind, const ChainOptions& options)
+{
+  ChainOptions own = options;
+  own.Air.CheckpointFile = own.Air.StateFile = own.Air.EditOf = std::string();
+  own.Optimiser.CheckpointFile = std::string();
+  own.Air.TimeLimit = own.Optimiser.TimeLimit = own.Optimiser.MemoryLimit = 0.0;
+  own.Optimiser.CheckpointInterval = 0.0;
+  const MotionProblem problem{ scene.Info,
+                               {},
+                               scene.Objects,
+                               scene.Constraints,
+                               ObstaclesOfFrames(scene.Obstacles, scene.Info.Time),
+                               scene.Vortices,
+                               wind.OfFrames(scene.Info.Time) };
+  DigestStream sum;
+  const int detail = static_cast<int>(own.Detail);
+  const RotationOptions turning = own.Turning.value_or(own.Rotation);
+  sum.Values(problem, scene.Shapes, detail, own.Seed, own.Plan, own.Takes, own.Air, turning,
+             own.Optimiser, own.Rotation, own.Fit);
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text;
+  for (const char byte : sum.Text())
+  {
+    text += digits[static_cast<unsigned char>(byte) >> 4u];
+    text += digits[static_cast<unsigned char>(byte) & 15u];
+  }
+  return text;
+}
+
 } // namespace waft

@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <string>
 
 namespace waft
 {
@@ -59,5 +60,10 @@ struct ChainMemory
 /// is written as the stages go.
 Result RunChain(const ChainInputs& inputs, const ChainOptions& options, const ParallelFor& parallel,
                 Monitor& monitor, Motion& motion, ChainMemory* memory = nullptr);
+
+/// Tells runs apart: two of one digest are the same motion. What changes nothing of it (limits of
+/// time and memory, files of states) is not in it, nor are the database and the air that EditOf
+/// names.
+std::string DigestOfRun(const Scene& scene, const SceneWind& wind, const ChainOptions& options);
 
 } // namespace waft

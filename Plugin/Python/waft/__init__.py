@@ -22,7 +22,7 @@ import importlib as _importlib
 import typing as _typing
 
 from waft.importing import find_moved as _find_moved
-from waft.failures import BadInput, WaftError
+from waft.failures import BadInput, InputError, WaftError
 from waft.loading import data_file, load as _load, load_classes as _load_classes, load_plugin, version
 from waft.scene import Scene
 
@@ -37,7 +37,7 @@ if _typing.TYPE_CHECKING:  # what __getattr__ finds
     from waft.run.updating import update
 
 __version__ = version()
-__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load", "load_plugin", "measure", "show", "synthesize",
+__all__ = ["BadInput", "InputError", "Scene", "WaftError", "data_file", "fetch", "go_on", "load", "load_plugin", "measure", "show", "synthesize",
            "unfold", "update", "version"]
 
 # What takes its time to import, by its module.

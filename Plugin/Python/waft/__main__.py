@@ -4,7 +4,6 @@ import sys
 
 from waft import ending
 from waft.cli import main
-from waft.cli.serving import as_one_run
 from waft.watching import keep_stops
 
 
@@ -18,4 +17,4 @@ def arguments():
 
 
 keep_stops()
-ending.leave(lambda: as_one_run(main, arguments()))
+ending.leave(lambda: main(arguments()))

@@ -11,7 +11,7 @@ import stat
 import struct
 import weakref
 
-from waft.failures import BadInput, shortened
+from waft.failures import InputError, shortened
 from waft.reading import LOOK, MOST, MOST_TEXT, blocks_of, content_of, found_in_words, json_of, kind_of, regular, rows_of, steps_of, text_of
 from waft.renaming import move_new
 
@@ -27,12 +27,12 @@ _IN_WORDS = {errno.ELOOP: "it is a link, or below one", errno.ENOTDIR: "it, or w
 
 
 def parts_of(name):
-    """The parts of a name below a folder; raises BadInput of an absolute one, and of one that leads above it."""
+    """The parts of a name below a folder; raises InputError of an absolute one, and of one that leads above it."""
     text = os.fspath(name) if isinstance(name, (str, os.PathLike)) else None
     parts = pathlib.PurePosixPath(text).parts if text and "\0" not in text else ()
     if (not 0 < len(parts) <= _DEEPEST or ".." in parts or text.startswith("/")
             or any(len(part.encode("utf-8", "surrogateescape")) > _LONGEST for part in parts)):
-        raise BadInput(f"{shortened(repr(name), 100)}: expected the name of a file below the folder")
+        raise InputError(f"{shortened(repr(name), 100)}: expected the name of a file below the folder")
     return parts
 
 
@@ -52,7 +52,7 @@ def _opened(folder, parts, flags, mode):
 
 
 class Folder:
-    """A folder, named through links or not; names are relative to it, with slashes. Raises BadInput where there is none, where a
+    """A folder, named through links or not; names are relative to it, with slashes. Raises InputError where there is none, where a
     part of a name is a link or no folder, and where a name leads out of it; FileNotFoundError where a part is missing, unless a
     function says otherwise."""
 
@@ -61,7 +61,7 @@ class Folder:
         try:
             self.descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC) if descriptor is None else descriptor
         except (OSError, ValueError) as error:
-            raise BadInput(f"{path}: {getattr(error, 'strerror', None) or error}; expected a folder") from error
+            raise InputError(f"{path}: {getattr(error, 'strerror', None) or error}; expected a folder") from error
         weakref.finalize(self, os.close, self.descriptor)
 
     def _open(self, name, flags, what="a folder", mode=0):
@@ -69,7 +69,7 @@ class Folder:
             return _opened(self.descriptor, parts_of(name), flags, mode)
         except OSError as error:
             if error.errno in _IN_WORDS:
-                raise BadInput(f"{self.path / name}: {_IN_WORDS[error.errno]}; expected {what}") from error
+                raise InputError(f"{self.path / name}: {_IN_WORDS[error.errno]}; expected {what}") from error
             raise
 
     @contextlib.contextmanager
@@ -98,10 +98,10 @@ class Folder:
             return None
 
     def is_file(self, name):
-        """Whether there is a file; raises BadInput where there is something else."""
+        """Whether there is a file; raises InputError where there is something else."""
         about = self.about(name)
         if about is not None and kind_of(about):
-            raise BadInput(f"{self.path / name}: expected a file, found {kind_of(about)}")
+            raise InputError(f"{self.path / name}: expected a file, found {kind_of(about)}")
         return about is not None
 
     @staticmethod
@@ -109,10 +109,10 @@ class Folder:
         return about is not None and not kind_of(about)
 
     def is_folder(self, name):
-        """Whether there is a folder; raises BadInput where there is something else."""
+        """Whether there is a folder; raises InputError where there is something else."""
         about = self.about(name)
         if about is not None and not stat.S_ISDIR(about.st_mode):
-            raise BadInput(f"{self.path / name}: expected a folder, found {found_in_words(about)}")
+            raise InputError(f"{self.path / name}: expected a folder, found {found_in_words(about)}")
         return about is not None
 
     def names(self, name=None):
@@ -140,7 +140,7 @@ class Folder:
         try:
             return regular(self._open(name, LOOK, what), self.path / name, what)
         except FileNotFoundError as error:
-            raise BadInput(f"{self.path / name}: {error.strerror}; expected {what}") from error
+            raise InputError(f"{self.path / name}: {error.strerror}; expected {what}") from error
 
     def stream(self, name):
         """A binary stream of a file."""
@@ -165,7 +165,7 @@ class Folder:
         return steps
 
     def check_blocks(self, name):
-        """Raises BadInput where a .vtm names anything but files below the folder, be they there or not."""
+        """Raises InputError where a .vtm names anything but files below the folder, be they there or not."""
         self._check_named(name, blocks_of(self.text(name, _MOST_NAMES, "a file of blocks"), self.path / name))
 
     def _check_named(self, name, named):
@@ -173,8 +173,8 @@ class Folder:
         for inner in named:
             try:
                 self.is_file(inner)
-            except BadInput as error:
-                raise BadInput(f"{self.path / name}: {error}") from error
+            except InputError as error:
+                raise InputError(f"{self.path / name}: {error}") from error
 
     def file(self, name, what="a file"):
         """The path of a file, for a library to open."""
@@ -188,12 +188,12 @@ class Folder:
     # Changing
 
     def own(self, name):
-        """A descriptor, to write, of an empty file that is made where nothing has its name; raises BadInput where something else has."""
+        """A descriptor, to write, of an empty file that is made where nothing has its name; raises InputError where something else has."""
         descriptor = self._open(name, os.O_RDWR | os.O_CREAT | os.O_NONBLOCK, "an empty file, or none", 0o666)
         about = os.fstat(descriptor)
         if kind_of(about) or about.st_size:
             os.close(descriptor)
-            raise BadInput(f"{self.path / name}: expected an empty file, or none, found {kind_of(about) or 'another'}")
+            raise InputError(f"{self.path / name}: expected an empty file, or none, found {kind_of(about) or 'another'}")
         return descriptor
 
     def make_folder(self, name):
@@ -219,7 +219,7 @@ class Folder:
 
     def remove_empty(self, name):
         """Removes a folder and those that it is in while they are empty."""
-        with contextlib.suppress(OSError, BadInput):
+        with contextlib.suppress(OSError, InputError):
             for part in (name, *map(str, list(pathlib.PurePosixPath(name).parents)[:-1])):
                 with self._at(part) as (folder, last):
                     os.rmdir(last, dir_fd=folder)

@@ -18,10 +18,13 @@ class WaftError(Exception):
         super().__init__(line(shortened(message)))
 
 
-class BadInput(WaftError):
+class InputError(WaftError):
     """Malformed input or usage: the message names file, place in it and what was expected."""
 
     status = MALFORMED
+
+
+BadInput = InputError  # what it was called before
 
 
 class Interrupted(WaftError):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The process that is the command `waft`: it runs a child that has ParaView, or VTK alone, and answers stops that the child cannot.
+"""What the program `waft` hands over to Python: a child is run that has ParaView, and stops are answered that it cannot.
 
     python3 -I guard.py COMMAND ...         SIGINT and SIGTERM come in blocked, so that none is lost meanwhile
 
@@ -7,7 +7,6 @@ The child looks whether to stop between two pieces of its work. While it starts,
 library, it cannot; as long as it has nothing to write it is ended from here then, at once and without a trace. It
 reports through a pipe, a line of JSON each (`[key, value]`: a name may hold any letter), what stands for it:
 
-    limit S         the time limit: S seconds from now
     words TEXT      what to say when it is ended; none: it has something to write and ends by itself
 
 Nothing here needs more than Python's own library, nor do the commands that do without ParaView, which are done here.
@@ -24,7 +23,7 @@ import time
 if __name__ == "__main__":  # run by its file alone: the package is where that is
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-from waft import ending, failures, processes, reading, texts  # noqa: E402
+from waft import ending, failures, texts  # noqa: E402
 from waft.display import STOPS, display, start  # noqa: E402
 
 GRACE = 0.5  # s from a stop until a child that has nothing to write is ended
@@ -42,7 +41,6 @@ class Reports:
         self._end = end
         self._text = b""
         self.words = NOTHING_BEGUN
-        self.deadline = None
 
     def read(self):
         with contextlib.suppress(BlockingIOError):
@@ -52,13 +50,11 @@ class Reports:
             key, value = json.loads(line)
             if key == "words":
                 self.words = value
-            elif key == "limit":
-                self.deadline = time.monotonic() + value
 
 
-def watch(arguments, program):
-    """Has a program, pvpython or Python itself, run `waft` with these arguments to its end; returns its exit status, negative when a
-    signal ended it. Raises Interrupted where it had to be ended."""
+def watch(arguments):
+    """Has pvpython run `waft` with these arguments to its end; returns its exit status, negative when a signal ended it. Raises
+    Interrupted where it had to be ended."""
     from waft.cli import speaking
 
     variables, descriptors = speaking.for_child()
@@ -67,7 +63,7 @@ def watch(arguments, program):
     os.write(given, b"\0".join(map(os.fsencode, arguments)))
     environment = {**environment_of_child(), **variables, "WAFT_GUARD": str(writing), "WAFT_ARGUMENTS": str(given),
                    "OMPI_MCA_ess_singleton_isolated": "1"}  # no daemon of MPI
-    child = start([program, str(PACKAGE / "__main__.py")], STOPS, pass_fds=(writing, given, *descriptors), env=environment)
+    child = start(["pvpython", str(PACKAGE / "__main__.py")], STOPS, pass_fds=(writing, given, *descriptors), env=environment)
     os.close(writing)
     os.close(given)
     reports = Reports(reading)
@@ -79,8 +75,6 @@ def watch(arguments, program):
         if got is not None and got.si_signo in STOPS:
             child.send_signal(got.si_signo)
             asked = asked or now
-        if reports.deadline is not None and now >= reports.deadline:
-            asked = asked or reports.deadline
         if asked is not None and reports.words and now >= asked + GRACE:
             child.kill()
             child.wait()
@@ -114,16 +108,6 @@ def parse(arguments):
     return cli.parse(arguments)
 
 
-def check_version(command):
-    """Ends the process where the command is of another version than this package."""
-    from waft.loading import version
-
-    if command not in (None, version()):
-        say(f"the command is of Waft {command}, the package {PACKAGE} of Waft {version()}: "
-            "install both anew, from one")
-        sys.exit(1)
-
-
 def settle_environment():
     """What the shell hands over, as all processes of the command are to have it."""
     for name in SEARCHED:
@@ -140,57 +124,28 @@ def settle_environment():
 
 
 def main(arguments):
-    launched = processes.launch()
-    if launched is not None and not launched.is_first:
-        return work_for_first(launched, arguments)
     options = parse(arguments)
-    try:
-        os.getcwd()
-    except OSError:
-        say("the working folder is gone: expected to be called in one that is there")
-        return failures.FAILED
     settle_environment()
     from waft import cli, watching
 
-    if launched is not None:
-        if options.command in processes.DIVIDED:
-            processes.become_pvbatch(launched, arguments, environment_of_child())
-        processes.leave_launcher()
     if not options.is_guarded:
         watching.keep_stops()
         return cli.main(arguments)
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS | {signal.SIGCHLD})
-    return cli.carry_out(options, arguments, lambda options: watch_with_display(options, arguments))
+    return cli.carry_out(options, arguments, lambda _: watch_with_display(arguments))
 
 
-def work_for_first(launched, arguments):
-    """What another process than the first does, which says nothing: the first says all."""
-    try:
-        with open(os.devnull, "w", encoding="utf-8") as nowhere, contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
-            options = parse(arguments)
-    except SystemExit:
-        return failures.ALL_MET
-    if options.command in processes.DIVIDED:
-        settle_environment()
-        processes.become_pvbatch(launched, arguments, environment_of_child())
-    return failures.ALL_MET
-
-
-def watch_with_display(options, arguments):
-    """The same with a display, where one is needed, and a scene, which may be a descriptor that the child does not get."""
-    if options.command in ("check", "synthesize"):
-        reading.check_scene_file(options.scene)
-    program = "pvpython" if options.is_in_paraview else sys.executable
+def watch_with_display(arguments):
+    """The same with a display, where one is needed."""
     if arguments[:1] not in (["demo"], ["render"]) or os.environ.get("DISPLAY"):
-        return watch(arguments, program)
+        return watch(arguments)
     with display() as is_there:
         if is_there:
-            return watch(arguments, program)
+            return watch(arguments)
     raise failures.Interrupted(NOTHING_BEGUN)
 
 
 def run():
-    check_version(globals().get("COMMAND_VERSION"))  # that of the installed command
     try:
         return main(sys.argv[1:])
     except OSError as error:

@@ -5,7 +5,7 @@ import json
 import struct
 import zlib
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.reading import read_bytes, read_json
 
 _COMMENT = b"written by waft, sha256:"
@@ -70,7 +70,7 @@ def marked_rows(rows):
 def is_marked_json(path):
     try:
         rows = read_json(path)
-    except BadInput:
+    except InputError:
         return False
     return isinstance(rows, list) and bool(rows) and all(isinstance(row, dict) for row in rows) and rows == marked_rows(rows)
 
@@ -78,5 +78,5 @@ def is_marked_json(path):
 def _content(path):
     try:
         return read_bytes(path)
-    except BadInput:
+    except InputError:
         return b""

@@ -10,7 +10,7 @@ import pathlib
 import stat
 import xml.etree.ElementTree as ElementTree
 
-from waft.failures import BadInput
+from waft.failures import InputError
 
 MOST = 1 << 30  # bytes of a file that is read whole, unless its reader says less
 MOST_TEXT = 1 << 28  # of a scene, a table, a report
@@ -30,14 +30,14 @@ def kind_of(about):
 
 
 def open_file(path, what="a file"):
-    """A descriptor of a regular file, to be read; raises BadInput that names the file and what was found, as all here do. what:
+    """A descriptor of a regular file, to be read; raises InputError that names the file and what was found, as all here do. what:
     is named as expected."""
     try:
         return regular(os.open(path, LOOK), path, what)
     except OSError as error:
-        raise BadInput(f"{path}: {error.strerror}; expected {what}") from error
+        raise InputError(f"{path}: {error.strerror}; expected {what}") from error
     except ValueError as error:
-        raise BadInput(f"{path!r}: {error}; expected {what}") from error
+        raise InputError(f"{path!r}: {error}; expected {what}") from error
 
 
 def regular(descriptor, path, what):
@@ -45,21 +45,21 @@ def regular(descriptor, path, what):
     found = kind_of(os.fstat(descriptor))
     if found:
         os.close(descriptor)
-        raise BadInput(f"{path}: expected {what}, found {found}")
+        raise InputError(f"{path}: expected {what}, found {found}")
     return descriptor
 
 
 def check_scene_file(path, lack="no such scene file"):
-    """Raises BadInput where a path is none of a regular file; lack: what is said where nothing is there. `-` is what other programs call
+    """Raises InputError where a path is none of a regular file; lack: what is said where nothing is there. `-` is what other programs call
     their input, which is no file that others could be beside."""
     try:
         found = kind_of(os.stat(path))
     except (OSError, ValueError) as error:
         if str(path) != "-":
-            raise BadInput(f"{path}: {lack}") from error
+            raise InputError(f"{path}: {lack}") from error
         found = "a pipe"
     if found:
-        raise BadInput(f"{path}: expected a regular file, found {found}")
+        raise InputError(f"{path}: expected a regular file, found {found}")
 
 
 def open_stream(path, what="a file"):
@@ -81,9 +81,9 @@ def content_of(descriptor, path, most=MOST):
         try:
             content = b"".join(_pieces(stream, most + 1 if size <= most else 0))
         except OSError as error:
-            raise BadInput(f"{path}: cannot be read: {error.strerror}") from error
+            raise InputError(f"{path}: cannot be read: {error.strerror}") from error
     if max(size, len(content)) > most:  # one of /proc has the size 0
-        raise BadInput(f"{path}: expected a file of at most {most} bytes, found one of {max(size, len(content))} or more")
+        raise InputError(f"{path}: expected a file of at most {most} bytes, found one of {max(size, len(content))} or more")
     return content
 
 
@@ -92,7 +92,7 @@ def text_of(content, path, what="a text"):
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise BadInput(f"{path}: expected {what} in UTF-8: {error}") from error
+        raise InputError(f"{path}: expected {what} in UTF-8: {error}") from error
 
 
 def json_of(text, path, parse_constant=None):
@@ -100,7 +100,7 @@ def json_of(text, path, parse_constant=None):
     try:
         return json.loads(text, parse_constant=parse_constant)
     except (ValueError, RecursionError) as error:
-        raise BadInput(f"{path}: expected JSON in UTF-8: {error}") from error
+        raise InputError(f"{path}: expected JSON in UTF-8: {error}") from error
 
 
 def rows_of(text, path, what="a table"):
@@ -108,7 +108,7 @@ def rows_of(text, path, what="a table"):
     try:
         return list(csv.DictReader(io.StringIO(text, newline="")))
     except csv.Error as error:
-        raise BadInput(f"{path}: expected {what}: {error}") from error
+        raise InputError(f"{path}: expected {what}: {error}") from error
 
 
 def read_bytes(path, most=MOST, what="a file"):
@@ -130,7 +130,7 @@ def found_json(path):
     """What a file of JSON holds; None where there is none that can be read."""
     try:
         return read_json(path)
-    except BadInput:
+    except InputError:
         return None
 
 
@@ -144,9 +144,9 @@ def steps_of(text, path):
     try:
         steps = [(float(step.get("timestep")), step.get("file")) for step in ElementTree.fromstring(text).iter("DataSet")]
     except (ElementTree.ParseError, TypeError, ValueError) as error:
-        raise BadInput(f"{path}: not a collection with a timestep and a file each: {error}") from error
+        raise InputError(f"{path}: not a collection with a timestep and a file each: {error}") from error
     if not all(math.isfinite(time) and name for time, name in steps):
-        raise BadInput(f"{path}: not a collection with a timestep and a file each")
+        raise InputError(f"{path}: not a collection with a timestep and a file each")
     return sorted(steps)
 
 
@@ -155,7 +155,7 @@ def blocks_of(text, path):
     try:
         return [name for name in (element.get("file") for element in ElementTree.fromstring(text).iter()) if name]
     except ElementTree.ParseError as error:
-        raise BadInput(f"{path}: expected a whole VTK XML file of blocks, found no XML: {error}") from error
+        raise InputError(f"{path}: expected a whole VTK XML file of blocks, found no XML: {error}") from error
 
 
 def read_surface(path):
@@ -186,14 +186,6 @@ def read_picture(path):
     return _read("ReadPicture", path, vtkImageData())
 
 
-def check_blocks(path, what):
-    """Looks at a .vtm and the files of its blocks, without reading their values. what: names the content in the
-    message."""
-    if not os.path.isfile(path):
-        raise BadInput(f"{path}: no such {what} file")
-    _call("CheckBlocks", path)
-
-
 def has_appended_blocks(path):
     """Whether files of a .vtm keep their values behind their elements, which VTK 9.1 cannot read with Expat 2.6, nor with the
     fixes of 2.5 that Debian 12 has; read_blocks can."""
@@ -211,7 +203,7 @@ def _call(function, path, *data):
 
     lack = getattr(vtkCheckedFiles, function)(os.fsencode(path), *data)
     if lack:
-        raise BadInput(f"{path}: {lack}")
+        raise InputError(f"{path}: {lack}")
 
 
 def dynamics(tracks):

@@ -58,6 +58,15 @@ def _handling(handler):
 
 
 @contextlib.contextmanager
+def passed_on(child):
+    """Meanwhile a child has the stops that come here, and those that came before."""
+    with _handling(lambda number, _: child.send_signal(number)):
+        for number in _kept_stops:
+            child.send_signal(number)
+        yield
+
+
+@contextlib.contextmanager
 def interruptible(words):
     """Meanwhile a stop raises Interrupted(words), wherever Python is; for work in small pieces."""
     def interrupt(*_):
@@ -136,25 +145,6 @@ class Effort:
         return time.monotonic(), time.process_time(), time.thread_time()
 
 
-class StageWatch:
-    """Follows an algorithm while it executes: errors and warnings (each a line), was_aborted."""
-
-    def __init__(self, name, algorithm, clock):
-        self.errors, self.warnings = [], []
-        self.was_aborted = False
-
-        def tell(*_):
-            if clock.should_stop() and not self.was_aborted:
-                self.was_aborted = True
-                algorithm.SetAbortExecute(1)
-            clock.show(name, algorithm.GetProgress(), algorithm.GetProgressText())
-
-        algorithm.AddObserver("ProgressEvent", tell)
-        for teller, event, texts in ((algorithm, "ErrorEvent", self.errors), (algorithm.GetExecutive(), "ErrorEvent", self.errors),
-                                     (algorithm, "WarningEvent", self.warnings)):
-            collect(teller, event, texts)
-
-
 class Clock:
     """Time limit, interrupt and progress: a line on stderr (when it is a terminal), and calls of a function.
 
@@ -165,7 +155,6 @@ class Clock:
 
     def __init__(self, time_limit=None, quiet=False, words=NOTHING_COMPUTED, on_progress=None):
         self.on_progress = on_progress
-        self.phase = ""  # what is said instead of a stage's own words
         self._done = 0.0
         self._failure = None
         self.started = time.monotonic()
@@ -185,8 +174,6 @@ class Clock:
         self._handling.__enter__()
         self.interrupted = self.interrupted or bool(_kept_stops)  # by the handler before ours, since this was made
         report_to_guard("words", self.words)
-        if self.time_limit:
-            report_to_guard("limit", self.time_limit)
         return self
 
     def __exit__(self, *error):
@@ -251,7 +238,7 @@ class Clock:
         if name == self.stage and told and told != self._told:
             self._told = told
             say(f"waft: {name}: {text}", "detail")
-        self.report(fraction, self.phase or (f"{name}: {text}" if text else name))
+        self.report(fraction, ": ".join(filter(None, (name, text))))
         if self._quiet:
             return
         print("\r\033[K" + line(f"{name} {100.0 * fraction:3.0f} %  {text or ''}")[:104], end="", file=sys.stderr)

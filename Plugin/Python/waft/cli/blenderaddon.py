@@ -2,7 +2,7 @@
 """The add-on for Blender as a zip file that Blender installs: `waft blender-addon`."""
 import zipfile
 
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.files import check_target, whole_file
 from waft.loading import addon_folder
 from waft.reading import read_bytes
@@ -11,10 +11,10 @@ _DATE = (1980, 1, 1, 0, 0, 0)  # of each file, so that the same add-on is the sa
 
 
 def write_addon(path):
-    """Writes the add-on as FILE.zip. Raises BadInput where there is a file, or no such folder; WaftError without the add-on."""
+    """Writes the add-on as FILE.zip. Raises InputError where there is a file, or no such folder; WaftError without the add-on."""
     check_target(path)
     if not path.endswith(".zip"):
-        raise BadInput(f"{path}: expected a name that ends with .zip")
+        raise InputError(f"{path}: expected a name that ends with .zip")
     folder = addon_folder()
     if folder is None:
         raise WaftError("the add-on for Blender is not among the files of this Waft")

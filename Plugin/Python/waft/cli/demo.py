@@ -5,10 +5,11 @@ import pathlib
 
 from waft import failures
 from waft.beneath import Folder
-from waft.loading import data_file
-from waft.run.synthesis import report_run, synthesize
+from waft.display import start
+from waft.loading import command, data_file
+from waft.results._records import TOLD, record_of
 from waft.texts import say, warn
-from waft.watching import interruptible
+from waft.watching import interruptible, passed_on
 
 SCENES = ("feather-waypoints", "leaves-letters")
 
@@ -25,18 +26,17 @@ def run_demo(folder, threads=None):
         if os.path.isdir(folder):
             Folder(folder).is_folder(name)  # raises of a link, which would lead elsewhere
         say(f"{name}: planning, optimising, turning ...")
-        run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False)
-        report_run(run, target)
-        status = max(status, run.status)
-        if run.stopped:
-            return run.status
-        last = len(run.times) - 1
+        flown = _fly(data_file(f"Scenes/{name}.waft.json"), target, threads)
+        if flown not in (failures.ALL_MET, failures.NOT_ALL_MET):
+            return flown
+        status = max(status, flown)
+        last = record_of(Folder(target), "report.json", TOLD)["time"]["frames"] - 1
         say(f"{name}: rendering ...")
         with interruptible("stopped: the pictures that were drawn are whole"):
             render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540), style="dark")
         try:
             pages.append(write_page(target))
-        except failures.BadInput:
+        except failures.InputError:
             raise
         except failures.WaftError as error:  # without three.js there is all else
             warn(error)
@@ -44,3 +44,11 @@ def run_demo(folder, threads=None):
     if pages:
         say(f"To watch it, open in a browser: {' '.join(pages)}")
     return status
+
+
+def _fly(scene, output, threads):
+    """The status of `waft synthesize`, which has the stops that come meanwhile."""
+    child = start([command(), "synthesize", scene, "--output", str(output), *([] if threads is None else ["--threads", str(threads)])],
+                  env={**os.environ, "WAFT_DEFAULTS": "off"})
+    with passed_on(child):
+        return child.wait()

@@ -27,7 +27,7 @@ def for_child():
 @contextlib.contextmanager
 def speaking(options, arguments):
     """Meanwhile messages are shown and kept as the options of a command line ask. Yields a function that takes the exit status in, and
-    gives it back. Raises BadInput where something is in the place of the log that is none, or was changed since."""
+    gives it back. Raises InputError where something is in the place of the log that is none, or was changed since."""
     inherited = os.environ.pop(_INHERITED, None)
     if inherited is not None or options.log is None:
         with messages.speaking(options.loudness, None if inherited is None else int(inherited)):

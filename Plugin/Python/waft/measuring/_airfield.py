@@ -4,7 +4,7 @@
 import numpy as np
 
 from waft.beneath import Folder
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.measuring._drifters import END, NEAR_GROUND, START
 from waft.measuring._flights import Flights, rms
 from waft.reading import read_image
@@ -103,7 +103,7 @@ class AirField:
 
 
 def read_air(folder):
-    """The AirField of a folder, None without air.pvd; raises BadInput that names the file and the lack."""
+    """The AirField of a folder, None without air.pvd; raises InputError that names the file and the lack."""
     folder = Folder(folder)
     if folder.found("air.pvd") is None:
         return None
@@ -121,14 +121,14 @@ def _series(folder, name, array, lattice=None):
     steps = folder.steps(name)
     check_steps(steps, series)
     if not steps:
-        raise BadInput(f"{series}: expected a file for each frame, found none")
+        raise InputError(f"{series}: expected a file for each frame, found none")
     values = []
     for _, file in steps:
         path = folder.file(file, "an image that is whole")
         found, field = _image(path, array)
         lattice = lattice or found
         if found[2] != lattice[2]:
-            raise BadInput(f"{path}: expected the lattice of the first frame")
+            raise InputError(f"{path}: expected the lattice of the first frame")
         values.append(field.astype(np.float32))
     return [time for time, _ in steps], values, lattice
 
@@ -137,8 +137,8 @@ def _image(path, array):
     image = read_image(path)
     shape = image.GetDimensions()[::-1]
     if not np.prod(shape) > 0:
-        raise BadInput(f"{path}: expected an image with the point data {array}, found no points")
+        raise InputError(f"{path}: expected an image with the point data {array}, found no points")
     values = array_of(image.GetPointData(), array, path, 3).reshape(*shape, 3)
     if not (np.isfinite(image.GetOrigin()).all() and np.isfinite(image.GetSpacing()).all() and min(image.GetSpacing()) > 0.0):
-        raise BadInput(f"{path}: expected a lattice with a finite origin and steps above 0")
+        raise InputError(f"{path}: expected a lattice with a finite origin and steps above 0")
     return (image.GetOrigin(), image.GetSpacing(), shape), values

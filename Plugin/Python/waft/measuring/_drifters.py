@@ -6,7 +6,7 @@ import zipfile
 
 import numpy as np
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.files import number, whole_file, write_bytes
 from waft.loading import data_file
 from waft.marks import is_marked_zip, marked_zip
@@ -29,7 +29,7 @@ class Drifters:
     def __init__(self, path=None):
         self.path = path or data_file("Drifters/drifters.npz")
         if not os.path.isfile(self.path):
-            raise BadInput(f"{self.path}: no such file of drifters")
+            raise InputError(f"{self.path}: no such file of drifters")
         content = read_bytes(self.path, what="a file of drifters")
         try:
             with zipfile.ZipFile(io.BytesIO(content)) as archive:
@@ -42,7 +42,7 @@ class Drifters:
             self._paths = [[_decoded(self._data, s, a) for a in range(len(self.seeds))] for s in range(len(self.speeds))]
             self._check()
         except Exception as error:  # archives and arrays that are none raise errors of many kinds
-            raise BadInput(f"{self.path}: not a file of drifters that Waft made: {error}") from error
+            raise InputError(f"{self.path}: not a file of drifters that Waft made: {error}") from error
 
     def _check(self):
         """Raises ValueError with what is wrong with the values."""
@@ -176,7 +176,7 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
             paths = _paths(trace.GetOutput(), int(np.ceil(SHORTEST * rate)))
             chosen = np.unique(np.linspace(0, len(paths) - 1, min(bodies, len(paths))).round().astype(int))
             if not len(chosen):
-                raise BadInput(f"settling speed {number(speed)}: no body flies for {SHORTEST:g} s in this volume")
+                raise InputError(f"settling speed {number(speed)}: no body flies for {SHORTEST:g} s in this volume")
             content.update(_encoded([paths[i] for i in chosen], index, air))
         if progress:
             progress((air + 1) / airs, f"air {air + 1} of {airs} simulated")
@@ -202,7 +202,7 @@ def _encoded(paths, speed, air):
     whole = [np.rint(path / QUANTUM).astype(np.int64) for path in paths]
     bends = np.concatenate([np.diff(path, 2, axis=0) for path in whole])
     if np.abs(bends).max() > 32767:
-        raise BadInput("drifters: an acceleration beyond what the file holds")
+        raise InputError("drifters: an acceleration beyond what the file holds")
     return {f"Lengths{speed}_{air}": np.array([len(path) for path in whole], np.int32),
             f"Starts{speed}_{air}": np.array([path[:2] for path in whole], np.int32),
             f"Bends{speed}_{air}": bends.astype(np.int16)}

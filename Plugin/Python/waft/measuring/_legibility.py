@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonCore import vtkMath
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 from waft import reading
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.results._arrays import array_of, object_ids, orientations_of, points_of, polylines, triangles_of
 from waft.results._folder import needed, read_surface
 from waft.results.writing import settled
@@ -26,7 +26,7 @@ def read_drawings(scene):
     blocks = vtkMultiBlockDataSet()
     lack = vtkSceneDrawings.Read(os.fsencode(scene), blocks)
     if lack:
-        raise BadInput(lack)
+        raise InputError(lack)
     return [blocks.GetBlock(number) for number in range(blocks.GetNumberOfBlocks())]
 
 
@@ -69,7 +69,7 @@ def _legibility(bodies, rate, drawing):
     own = np.flatnonzero((bodies.rows["Row"] == row[0]) & np.isin(bodies.rows["Kind"], (POSITION, REST)))
     own = [k for k in own if bodies.rows["ObjectId"][k] in bodies.index]
     if not own:
-        raise BadInput(f"{bodies.name}: expected a motion of the scene, found no object at a target of /constraints/{row[0]}")
+        raise InputError(f"{bodies.name}: expected a motion of the scene, found no object at a target of /constraints/{row[0]}")
     u, v, origin = axes
     asked = bodies.facing[own[0]]
     normal = np.cross(u, v) / np.linalg.norm(np.cross(u, v))

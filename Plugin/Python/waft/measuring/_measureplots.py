@@ -13,7 +13,7 @@ from waft.results import check_folder
 
 
 def check_pictures(names, tracks, folder):
-    """Raises BadInput where a picture cannot be written in a folder, or would take the place of what this did not draw."""
+    """Raises InputError where a picture cannot be written in a folder, or would take the place of what this did not draw."""
     check_folder(folder)
     for name in names if os.path.isdir(folder) else ():
         check_target(_path(name, tracks, folder), is_marked_png)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from waft import reading
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.results._arrays import array_of, object_ids
 from waft.results._folder import needed, read_surface
 from waft.results.writing import settled
@@ -39,7 +39,7 @@ def _pairs(name, *inputs):
     table = vtkTable()
     lack = vtkMeshCuts.Find(*inputs, table)
     if lack:
-        raise BadInput(f"{name}: {lack}")
+        raise InputError(f"{name}: {lack}")
     return np.stack([array_of(table.GetRowData(), column, name, kind=int) for column in ("Frame", "ObjectA", "ObjectB", "NearMarks")],
                     axis=1)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.measuring._drifters import END, START
 from waft.measuring._flights import Flights
 from waft.measuring._meshcuts import mesh_cuts
@@ -63,7 +63,7 @@ class Run:
 
 
 def read_run(folder, tracks="optimized"):
-    """Reads a folder; raises BadInput that names the file and the lack."""
+    """Reads a folder; raises InputError that names the file and the lack."""
     below = settled(folder)
     path = os.path.join(folder, f"{tracks}.vtp")
     data = read_surface(below, f"{tracks}.vtp")
@@ -95,7 +95,7 @@ def _bodies(folder, ids):
     place = {number: index for index, number in enumerate(object_ids(columns, path).tolist())}
     lost = [number for number in ids.tolist() if number not in place]
     if lost:
-        raise BadInput(f"{path}: object {lost[0]} of the tracks is missing")
+        raise InputError(f"{path}: object {lost[0]} of the tracks is missing")
     own = [place[number] for number in ids.tolist()]
     has_radii = columns.HasArray("ClearanceRadius")
     radii = array_of(columns, "ClearanceRadius", path, low=0.0)[own] if has_radii else np.full(len(own), np.nan)

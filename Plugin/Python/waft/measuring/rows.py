@@ -7,7 +7,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.files import check_target
 from waft.marks import is_marked_zip
 from waft.measuring import _flights, _two_sample
@@ -96,14 +96,14 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
     progress: called with the part done (0..1) and a sentence
     scene:    the scene file that was flown, whose texts and pictures are looked for in the motion
 
-    Returns a list of Measured: one a folder, and last "pooled" where there are several. Raises BadInput that names the file and
+    Returns a list of Measured: one a folder, and last "pooled" where there are several. Raises InputError that names the file and
     the lack.
     """
     folders = [folders] if isinstance(folders, (str, os.PathLike)) else list(folders)
     if tracks not in TRACKS:
-        raise BadInput(f"tracks: expected one of {', '.join(TRACKS)}, found '{tracks}'")
+        raise InputError(f"tracks: expected one of {', '.join(TRACKS)}, found '{tracks}'")
     if not folders:
-        raise BadInput("expected at least one folder")
+        raise InputError("expected at least one folder")
     if plots is not None:
         from waft.measuring._measureplots import check_pictures
 
@@ -133,14 +133,14 @@ def make_drifters_for(folders: Sequence[Path], path: Path, speeds: Optional[Sequ
     check_target(path, is_marked_zip)
     if not folders:
         if not speeds:
-            raise BadInput("drifters: expected a folder, or settling speeds")
+            raise InputError("drifters: expected a folder, or settling speeds")
         make_drifters(path, speeds, airs=airs, seed=seed, progress=progress)
         return
     runs = [read_run(folder, "planned") for folder in folders]
     first = runs[0]
     for run in runs:
         if np.any(run.bounds != first.bounds) or run.flights.rate != first.flights.rate:
-            raise BadInput(f"{run.folder}: expected the volume and frame rate of {first.folder}")
+            raise InputError(f"{run.folder}: expected the volume and frame rate of {first.folder}")
     speeds = speeds or sorted({float(slip) for run in runs for slip in run.flights.slip})
     make_drifters(path, speeds, first.bounds.tolist(), first.flights.rate, max(run.flights.positions.shape[1] for run in runs),
                   airs, seed, progress=progress)

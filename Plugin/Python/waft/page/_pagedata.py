@@ -8,7 +8,7 @@ import struct
 import numpy as np
 
 from waft.beneath import Folder
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.page._thinning import interval, shown
 from waft.reading import json_of, read_json
 from waft.results import _folder
@@ -23,7 +23,7 @@ _MOST_ROWS = 1200  # of a plot; more cannot be told apart
 
 
 def describe(path, measured=None):
-    """(what there is to tell, the bytes of animation.glb); raises BadInput that names the file and the lack.
+    """(what there is to tell, the bytes of animation.glb); raises InputError that names the file and the lack.
 
     measured: see page.write_page."""
     folder = Folder(path)
@@ -45,7 +45,7 @@ def describe(path, measured=None):
 
 
 def _not_ours(folder, why):
-    return BadInput(f"{folder.path / 'animation.glb'}: expected the animation that `waft synthesize` writes: {why}")
+    return InputError(f"{folder.path / 'animation.glb'}: expected the animation that `waft synthesize` writes: {why}")
 
 
 def _at_shown(mark, every, frames):
@@ -140,7 +140,7 @@ def _plan(folder, ids, frames, every):
     points = points_of(tracks, "planned.vtp")[order]
     places = dict(zip(own.tolist(), points))
     if points.shape[1] != frames or not set(ids) <= places.keys():
-        raise BadInput(f"{path}: expected the paths of the objects of animation.glb, {frames} frames each")
+        raise InputError(f"{path}: expected the paths of the objects of animation.glb, {frames} frames each")
     points = np.stack([places[number][::every] for number in ids])
     low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
     steps = np.rint(65535.0 * (points - low) / np.maximum(high - low, 1e-12)).astype("<u2")
@@ -190,10 +190,10 @@ def _measured(folder, measured):
         found = checked(read_json(path), MEASURED, path) if measured else record_of(folder, "measure.json", MEASURED)
         own = [entry for entry in found if os.path.realpath(entry["folder"]) == os.path.realpath(folder.path)] or found
         if len(own) != 1:
-            raise BadInput(f"{path}: expected what `waft measure --json` writes: none of its {len(found)} entries is about {folder.path}")
-    except (BadInput, ValueError) as error:
+            raise InputError(f"{path}: expected what `waft measure --json` writes: none of its {len(found)} entries is about {folder.path}")
+    except (InputError, ValueError) as error:
         if measured:
-            raise BadInput(str(error)) from error
+            raise InputError(str(error)) from error
         warn(f"{error}; left out")
         return None
     keys = ("row", "value", "wanted", "drifters", "met", "why")

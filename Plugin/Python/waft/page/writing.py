@@ -8,7 +8,7 @@ import pathlib
 import re
 from typing import Union
 
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.files import whole_file, write_bytes, write_text
 from waft.marks import is_marked_html, marked_html
 from waft.page import _pagedata
@@ -31,11 +31,11 @@ def write_page(folder: Path, measured: Union[Path, bool, None] = None, is_watche
     measured:   a file of `waft measure --json`, or True to measure now; FOLDER/measure.json is taken where there is one
     is_watched: the page looks at FOLDER/page.watch.js, which is written too, and loads itself again when it was written anew
 
-    Raises BadInput on a bad folder or file, and where a page.html is in the way that Waft did not write or that was changed
+    Raises InputError on a bad folder or file, and where a page.html is in the way that Waft did not write or that was changed
     since; WaftError where three.js is not installed.
     """
     if not os.path.isdir(folder):
-        raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+        raise InputError(f"{folder}: no such folder; `waft synthesize` makes it")
     with ResultPlace(folder, "page.json") as place:
         place.check([NAME, STAMP] if is_watched else [NAME])
         page = _page(*_pagedata.describe(folder, measured))
@@ -54,7 +54,7 @@ def page_of(folder: Path) -> str:
 
 
 def write_text_of_page(page: str, path: str) -> str:
-    """Writes a page under a name, with Waft's mark; returns the name. Raises BadInput where something is in the way that is no page of
+    """Writes a page under a name, with Waft's mark; returns the name. Raises InputError where something is in the way that is no page of
     Waft's, or was changed since."""
     with whole_file(path, is_marked_html) as part:
         write_bytes(part, marked_html(page.encode()))

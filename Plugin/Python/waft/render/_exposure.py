@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from waft.failures import BadInput
+from waft.failures import InputError
 
 MOST_SUBFRAMES = 256
 WIDEST = 1000.0  # mm, of a lens
@@ -25,11 +25,11 @@ class Exposure:
 
     def __post_init__(self):
         if not 0.0 <= self.shutter <= 1.0:
-            raise BadInput(f"shutter {self.shutter}: expected the fraction of a frame in which it is open, 0 to 1")
+            raise InputError(f"shutter {self.shutter}: expected the fraction of a frame in which it is open, 0 to 1")
         if not 0.0 <= self.aperture <= WIDEST:
-            raise BadInput(f"aperture {self.aperture}: expected the width of the lens, 0 to {WIDEST:g} millimetres")
+            raise InputError(f"aperture {self.aperture}: expected the width of the lens, 0 to {WIDEST:g} millimetres")
         if not 2 <= self.subframes <= MOST_SUBFRAMES:
-            raise BadInput(f"subframes {self.subframes}: expected a whole number from 2 to {MOST_SUBFRAMES}")
+            raise InputError(f"subframes {self.subframes}: expected a whole number from 2 to {MOST_SUBFRAMES}")
 
     @property
     def is_plain(self):

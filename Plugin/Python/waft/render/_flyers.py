@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.reading import read_picture
 from waft.render._marks import colors_of
 from waft.render._scenery import lines, texture
@@ -64,7 +64,7 @@ def _load_texture(path):
         return None
     try:
         picture = read_picture(path)
-    except BadInput as error:
+    except InputError as error:
         warn(f"{error}; plain colour instead")
         return None
     made = vtkTexture()

@@ -7,7 +7,7 @@ import os
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.files import write_bytes
 
 
@@ -28,9 +28,9 @@ class Loop:
 
     @staticmethod
     def require(limit):
-        """Raises BadInput unless a file can be that large, and WaftError where Pillow is missing."""
+        """Raises InputError unless a file can be that large, and WaftError where Pillow is missing."""
         if not 0.0 < limit <= 1000.0:
-            raise BadInput(f"loop {limit}: expected its largest size, from 0 to 1000 megabytes")
+            raise InputError(f"loop {limit}: expected its largest size, from 0 to 1000 megabytes")
         try:
             from PIL import features
         except ImportError:
@@ -40,10 +40,10 @@ class Loop:
 
     @classmethod
     def check(cls, count, size, views):
-        """Raises BadInput where the pictures of all views are too many to be kept."""
+        """Raises InputError where the pictures of all views are too many to be kept."""
         if 3.0 * size[0] * size[1] * count * views > cls._MOST:
-            raise BadInput(f"a loop of {count} frames of {size[0]}x{size[1]} in {views} views is too much to be kept: expected fewer "
-                           "frames (as A:B:S), smaller ones or fewer views")
+            raise InputError(f"a loop of {count} frames of {size[0]}x{size[1]} in {views} views is too much to be kept: expected fewer "
+                             "frames (as A:B:S), smaller ones or fewer views")
 
     def add(self, picture):
         from PIL import Image
@@ -75,8 +75,8 @@ class Loop:
                 low = middle + 1
         self._pictures = []
         if best is None:
-            raise BadInput(f"{os.path.basename(self._path)}: does not fit into {self._limit / 1e6:g} megabytes: expected fewer frames "
-                           f"(as A:B:S), smaller ones or a larger limit")
+            raise InputError(f"{os.path.basename(self._path)}: does not fit into {self._limit / 1e6:g} megabytes: expected fewer frames "
+                             f"(as A:B:S), smaller ones or a larger limit")
         write_bytes(self._path, best)
 
     def discard(self):

@@ -10,7 +10,7 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.render._cameras import Cameras
 from waft.render._drawing import MOST_JOBS, pictures, widest_window
 from waft.render._exposure import Exposure, Film, seen_through
@@ -38,7 +38,7 @@ _MOST_DRAWN = 1 << 26
 
 def parse_frames(text: Optional[str], count: int) -> range:
     """Frame numbers of "A:B:S": from A to B (B included), every S; "A" alone is one frame, and what
-    is left out is the first frame, the last one, and 1. Raises BadInput."""
+    is left out is the first frame, the last one, and 1. Raises InputError."""
     if text is None or text == "":
         return range(count)
     parts = str(text).split(":")
@@ -47,13 +47,13 @@ def parse_frames(text: Optional[str], count: int) -> range:
     except ValueError:
         numbers = []
     if not 1 <= len(numbers) <= 3 or (len(numbers) == 1 and numbers[0] is None):
-        raise BadInput(f"frames '{text}': expected A, A:B or A:B:S with whole numbers")
+        raise InputError(f"frames '{text}': expected A, A:B or A:B:S with whole numbers")
     first = numbers[0] if numbers[0] is not None else 0
     last = first if len(numbers) == 1 else numbers[1]
     last = count - 1 if last is None else min(last, count - 1)
     step = numbers[2] if len(numbers) == 3 and numbers[2] is not None else 1
     if first < 0 or first >= count or last < first or step < 1:
-        raise BadInput(
+        raise InputError(
             f"frames '{text}': expected 0 <= A <= B and S >= 1; the animation has frames 0 to {count - 1}"
         )
     return range(first, last + 1, step)
@@ -64,13 +64,13 @@ def _check_size(size, samples, exposure):
     each = samples * samples if exposure.is_plain else 2
     if size[0] * size[1] * each > _MOST_DRAWN:
         why = f"with {samples} x {samples} samples each" if exposure.is_plain else "with a shutter or an aperture"
-        raise BadInput(f"size {size[0]}x{size[1]}: expected pictures of at most {_MOST_DRAWN / each / 1e6:.1f} million pixels {why}, "
-                       f"found {size[0] * size[1] / 1e6:.1f} million")
+        raise InputError(f"size {size[0]}x{size[1]}: expected pictures of at most {_MOST_DRAWN / each / 1e6:.1f} million pixels {why}, "
+                         f"found {size[0] * size[1] / 1e6:.1f} million")
     across = max(size) * (samples if exposure.is_plain else 1)
     most = widest_window() if across > _ANY_WINDOW else across
     if across > most:
-        raise BadInput(f"size {size[0]}x{size[1]}: expected at most {most // (across // max(size))} pixels a side, found {max(size)}: the "
-                       f"window draws {most}, and each pixel takes {across // max(size)} of them")
+        raise InputError(f"size {size[0]}x{size[1]}: expected at most {most // (across // max(size))} pixels a side, found {max(size)}: the "
+                         f"window draws {most}, and each pixel takes {across // max(size)} of them")
 
 
 def _film(exposure):
@@ -218,28 +218,28 @@ def render(
     progress: called with the part done (0..1) and a sentence after each picture
 
     Writes FOLDER/frames/<view>_0000.png and so on, each whole or not at all, and FOLDER/pictures.json with their
-    sizes and digests; returns the list of files written. Raises BadInput on a bad folder or argument and where a file
+    sizes and digests; returns the list of files written. Raises InputError on a bad folder or argument and where a file
     that no run wrote stands in the way, and WaftError without a display.
     """
     views = (views,) if isinstance(views, str) else tuple(views)
     for view in views:
         if view not in VIEWS:
-            raise BadInput(f"view '{view}': expected one of {', '.join(VIEWS)}")
+            raise InputError(f"view '{view}': expected one of {', '.join(VIEWS)}")
     if not views or samples < 1 or len(size) != 2 or min(size) < 16 or max(size) > 16384:
-        raise BadInput("expected at least one view, samples >= 1 and a size of 16 to 16384 pixels")
+        raise InputError("expected at least one view, samples >= 1 and a size of 16 to 16384 pixels")
     if obstacle_opacity is not None and not 0.0 <= obstacle_opacity <= 1.0:
-        raise BadInput(f"obstacle opacity {obstacle_opacity}: expected a number from 0 to 1")
+        raise InputError(f"obstacle opacity {obstacle_opacity}: expected a number from 0 to 1")
     if style not in STYLES:
-        raise BadInput(f"style '{style}': expected one of {', '.join(STYLES)}")
+        raise InputError(f"style '{style}': expected one of {', '.join(STYLES)}")
     if movie and not STYLES[style].backdrop:
-        raise BadInput(f"style '{style}': a movie has no transparency; expected a loop or pictures alone")
+        raise InputError(f"style '{style}': a movie has no transparency; expected a loop or pictures alone")
     if not 1 <= jobs <= MOST_JOBS:
-        raise BadInput(f"jobs {jobs}: expected a whole number from 1 to {MOST_JOBS}")
+        raise InputError(f"jobs {jobs}: expected a whole number from 1 to {MOST_JOBS}")
     exposure = Exposure(shutter, aperture, subframes)
     if loop is not None:
         Loop.require(loop)
     if not os.path.isdir(folder):
-        raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+        raise InputError(f"{folder}: no such folder; `waft synthesize` makes it")
     with ResultPlace(folder, _SEAL) as place:
         motion = load(folder)
         numbers = parse_frames(frames, motion.number_of_frames)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the data of a results folder hold, looked at before it is used: a file that VTK reads well may hold anything. All here raise
-BadInput that names the file and the array, what was expected and what was found; place: the file."""
+InputError that names the file and the array, what was expected and what was found; place: the file."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from waft.failures import BadInput
+from waft.failures import InputError
 
 LARGEST = 1e9  # of a number, as scenes have it
 MOST_FRAMES = 1000000  # of a scene
@@ -15,10 +15,10 @@ def array_of(attributes, name, place, components=1, kind=float, low=-LARGEST, hi
     """The values of an array, [n] where they have one component, else [n, components]; of the kind int as whole numbers."""
     array = attributes.GetAbstractArray(name)
     if array is None:
-        raise BadInput(f"{place}: the array {name} is missing")
+        raise InputError(f"{place}: the array {name} is missing")
     if array.GetNumberOfComponents() != components:
-        raise BadInput(f"{place}: the array {name}: expected values of {components} number{'s' * (components != 1)}, found "
-                       f"{array.GetNumberOfComponents()}")
+        raise InputError(f"{place}: the array {name}: expected values of {components} number{'s' * (components != 1)}, found "
+                         f"{array.GetNumberOfComponents()}")
     return _numbers(array, f"{place}: the array {name}", kind, low, high).reshape((-1, components) if components > 1 else -1)
 
 
@@ -26,23 +26,23 @@ def field_of(data, name, place, size, kind=float, low=-LARGEST, high=LARGEST):
     """So many numbers [size] of the field data."""
     array = data.GetFieldData().GetAbstractArray(name)
     if array is None or array.GetNumberOfValues() != size:
-        raise BadInput(f"{place}: the field data {name}: expected {size} number{'s' * (size != 1)}, found "
-                       f"{'none' if array is None else array.GetNumberOfValues()}")
+        raise InputError(f"{place}: the field data {name}: expected {size} number{'s' * (size != 1)}, found "
+                         f"{'none' if array is None else array.GetNumberOfValues()}")
     return _numbers(array, f"{place}: the field data {name}", kind, low, high)
 
 
 def _numbers(array, what, kind, low, high):
     """All values in one row, those of single precision among them as doubles."""
     if not array.IsA("vtkDataArray") or array.IsA("vtkBitArray"):
-        raise BadInput(f"{what}: expected numbers, found {'bits' if array.IsA('vtkBitArray') else 'texts'}")
+        raise InputError(f"{what}: expected numbers, found {'bits' if array.IsA('vtkBitArray') else 'texts'}")
     values = vtk_to_numpy(array).ravel()
     is_right = np.isfinite(values) & (values >= low) & (values <= high)
     if kind is int:
         is_right &= values == np.rint(values)
     if not is_right.all():
         index = int(np.argmin(is_right))
-        raise BadInput(f"{what}: entry {index // max(array.GetNumberOfComponents(), 1)}: expected a {'whole ' * (kind is int)}number from "
-                       f"{low:.16g} to {high:.16g}, found {values[index]:.16g}")
+        raise InputError(f"{what}: entry {index // max(array.GetNumberOfComponents(), 1)}: expected a {'whole ' * (kind is int)}number from "
+                         f"{low:.16g} to {high:.16g}, found {values[index]:.16g}")
     return values.astype(np.int64 if kind is int else float)
 
 
@@ -52,7 +52,7 @@ def text_of(data, name, place):
     if array is None or array.GetNumberOfValues() == 0:
         return ""
     if not array.IsA("vtkStringArray"):
-        raise BadInput(f"{place}: the field data {name}: expected a text, found numbers")
+        raise InputError(f"{place}: the field data {name}: expected a text, found numbers")
     return array.GetValue(0)
 
 
@@ -68,11 +68,11 @@ def polylines(tracks, place, least=1):
     """Ids of the objects of Tracks, and the index of each point by [object, frame]."""
     count = tracks.GetNumberOfLines()
     if count == 0 or tracks.GetNumberOfCells() != count:
-        raise BadInput(f"{place}: expected one polyline per object, found {count} and {tracks.GetNumberOfCells() - count} other cells")
+        raise InputError(f"{place}: expected one polyline per object, found {count} and {tracks.GetNumberOfCells() - count} other cells")
     lengths, order = _corners(tracks.GetLines(), tracks, place)
     if np.any(lengths != lengths[0]) or not least <= lengths[0] <= MOST_FRAMES:
-        raise BadInput(f"{place}: expected polylines with the same number of frames, {least} to {MOST_FRAMES}, found {lengths.min()} to "
-                       f"{lengths.max()}")
+        raise InputError(f"{place}: expected polylines with the same number of frames, {least} to {MOST_FRAMES}, found {lengths.min()} to "
+                         f"{lengths.max()}")
     return object_ids(tracks.GetCellData(), place), order.reshape(count, -1)
 
 
@@ -80,7 +80,7 @@ def object_ids(attributes, place):
     """Those of a list of objects, each once."""
     ids = array_of(attributes, "ObjectId", place, kind=int, low=0)
     if len(np.unique(ids)) != len(ids):
-        raise BadInput(f"{place}: the array ObjectId: expected each object once")
+        raise InputError(f"{place}: the array ObjectId: expected each object once")
     return ids
 
 
@@ -89,7 +89,7 @@ def _corners(cells, data, place, least=1):
     lengths = np.diff(vtk_to_numpy(cells.GetOffsetsArray()))
     corners = vtk_to_numpy(cells.GetConnectivityArray())
     if np.any(lengths < least) or (len(corners) and not 0 <= corners.min() <= corners.max() < data.GetNumberOfPoints()):
-        raise BadInput(f"{place}: expected cells of {least} or more of the {data.GetNumberOfPoints()} points of the file")
+        raise InputError(f"{place}: expected cells of {least} or more of the {data.GetNumberOfPoints()} points of the file")
     return lengths, corners
 
 
@@ -108,7 +108,7 @@ def check_surface(surface, place):
     coordinates = surface.GetPointData().GetTCoords()
     if coordinates is not None:
         if coordinates.GetNumberOfComponents() != 2:
-            raise BadInput(f"{place}: texture coordinates: expected values of 2 numbers, found {coordinates.GetNumberOfComponents()}")
+            raise InputError(f"{place}: texture coordinates: expected values of 2 numbers, found {coordinates.GetNumberOfComponents()}")
         _numbers(coordinates, f"{place}: texture coordinates", float, -LARGEST, LARGEST)
 
 
@@ -116,8 +116,8 @@ def bounds_of(data, place):
     """The volume of a run [low and high of x, y and z]."""
     bounds = field_of(data, "Bounds", place, 6)
     if np.any(bounds[::2] >= bounds[1::2]):
-        raise BadInput(f"{place}: the field data Bounds: expected the least and the most of x, y and z in turn, found "
-                       f"{', '.join(f'{end:g}' for end in bounds)}")
+        raise InputError(f"{place}: the field data Bounds: expected the least and the most of x, y and z in turn, found "
+                         f"{', '.join(f'{end:g}' for end in bounds)}")
     return bounds
 
 
@@ -125,9 +125,9 @@ def check_steps(steps, place):
     """Looks at the [(time in seconds, file)] of a series."""
     times = [time for time, _ in steps]
     if any(after <= before for before, after in zip(times, times[1:])) or len({file for _, file in steps}) < len(steps):
-        raise BadInput(f"{place}: expected steps of times that grow, with a file each")
+        raise InputError(f"{place}: expected steps of times that grow, with a file each")
     if times and max(abs(times[0]), abs(times[-1])) > LARGEST:
-        raise BadInput(f"{place}: expected times from {-LARGEST:g} to {LARGEST:g} s")
+        raise InputError(f"{place}: expected times from {-LARGEST:g} to {LARGEST:g} s")
 
 
 def rate_of(data, place, low=RATES[0], high=RATES[1]):
@@ -140,5 +140,5 @@ def orientations_of(attributes, place):
     turns = array_of(attributes, "Orientation", place, 4)
     sizes = np.linalg.norm(turns, axis=1)
     if np.any(np.abs(sizes - 1.0) > 1e-3):
-        raise BadInput(f"{place}: the array Orientation: entry {int(np.argmax(np.abs(sizes - 1.0)))}: expected a unit quaternion")
+        raise InputError(f"{place}: the array Orientation: entry {int(np.argmax(np.abs(sizes - 1.0)))}: expected a unit quaternion")
     return turns

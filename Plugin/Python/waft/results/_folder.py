@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from waft import reading
 from waft.beneath import Folder
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.results._arrays import (array_of, bounds_of, check_steps, check_surface, field_of, object_ids, orientations_of, points_of,
                                   polylines, rate_of, text_of, triangles_of)
 from waft.scene._kinds import POSITION, REST
@@ -79,7 +79,7 @@ class Motion:
 
 
 def load(path):
-    """Reads a folder; raises BadInput that names the file and the lack."""
+    """Reads a folder; raises InputError that names the file and the lack."""
     folder = Folder(path)
     poses = read_surface(folder, "poses.vtp")
     ids, positions, orientations = _poses(poses)
@@ -89,7 +89,7 @@ def load(path):
     shapes = []
     for number in ids.tolist():
         if not 0 <= shape_of.get(number, -1) < len(bodies):
-            raise BadInput(f"objects.vtp: object {number} has no shape in shapes.vtm")
+            raise InputError(f"objects.vtp: object {number} has no shape in shapes.vtm")
         shapes.append(shape_of[number])
     return Motion(
         folder=path,
@@ -115,7 +115,7 @@ def needed(folder, name):
     """The path of a file of a Folder."""
     path = folder.found(name)
     if path is None:
-        raise BadInput(f"{folder.path / name}: missing; `waft synthesize` writes it")
+        raise InputError(f"{folder.path / name}: missing; `waft synthesize` writes it")
     return path
 
 
@@ -133,7 +133,7 @@ def _bodies(folder):
     for index in range(blocks.GetNumberOfBlocks()):
         surface = blocks.GetBlock(index)
         if not isinstance(surface, vtkPolyData) or surface.GetNumberOfPoints() == 0:
-            raise BadInput(f"shapes.vtm: block {index} is no surface")
+            raise InputError(f"shapes.vtm: block {index} is no surface")
         name = ""
         if blocks.HasMetaData(index):
             name = blocks.GetMetaData(index).Get(blocks.NAME()) or ""
@@ -141,7 +141,7 @@ def _bodies(folder):
         check_surface(surface, place)
         body = Body(name, surface)
         if not body.extent > 0.0:
-            raise BadInput(f"{place}: expected a surface, found points at one place")
+            raise InputError(f"{place}: expected a surface, found points at one place")
         body.color, body.tint = _color(surface, "Color", place), _color(surface, "Tint", place)
         if surface.GetFieldData().HasArray("Opacity"):
             body.opacity = float(field_of(surface, "Opacity", place, 1, low=0.0, high=1.0)[0])
@@ -162,8 +162,8 @@ def _find_texture(folder, name, block):
     """The path of a picture of the folder, be it there or not."""
     try:
         return folder.found(name) or str(folder.path / name)
-    except BadInput as error:
-        raise BadInput(f"{folder.path / 'shapes.vtm'}: block {block}: Texture: {error}") from error
+    except InputError as error:
+        raise InputError(f"{folder.path / 'shapes.vtm'}: block {block}: Texture: {error}") from error
 
 
 def _marks(folder):
@@ -239,14 +239,14 @@ def moving_obstacles(folder, bounds, rate, frames):
     points = points_of(surface, "obstacles")
     moved = [points_of(step, "obstacles") for _, step in steps]
     if any(step.shape != points.shape for step in moved):
-        raise BadInput("obstacles.pvd: expected the same surfaces at every step")
+        raise InputError("obstacles.pvd: expected the same surfaces at every step")
     triangles = triangles_of(surface, "obstacles")
     found = []
     for number in np.unique(numbers):
         own = np.flatnonzero(numbers == number)
         shifts = np.array([(step[own] - points[own]).mean(axis=0) for step in moved])
         if any(np.abs(step[own] - points[own] - shift).max() > 1e-5 for step, shift in zip(moved, shifts)):
-            raise BadInput(f"obstacles.pvd: obstacle {number}: expected it to move without turning or bending")
+            raise InputError(f"obstacles.pvd: obstacle {number}: expected it to move without turning or bending")
         is_moving = len(moved) > 1 and np.abs(shifts).max() > 1e-9
         places = np.full(len(points), -1)
         places[own] = np.arange(len(own))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the JSON of a results folder holds, looked at before it is used. A schema says what is read of each; other fields may be
 there."""
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.scene import _schema
 
 _TEXT = {"type": "string", "maxLength": 1 << 20}
@@ -75,12 +75,12 @@ CHANGE = {**_object("seal new old", seal=_NAME, new=_ROWS, old=_ROWS), "addition
 
 
 def checked(value, schema, place):
-    """A value that is what a schema says. Raises BadInput that names the file (place), the field, what was expected and what was
+    """A value that is what a schema says. Raises InputError that names the file (place), the field, what was expected and what was
     found."""
     wrong = _schema.fault(value, schema, "")
     if wrong is not None:
         field, expected, found = wrong
-        raise BadInput(f"{place}: {field or '/'}: expected {expected}, found {found}")
+        raise InputError(f"{place}: {field or '/'}: expected {expected}, found {found}")
     return value
 
 

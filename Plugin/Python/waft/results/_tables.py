@@ -2,14 +2,14 @@
 """What the tables (.csv) of a results folder hold, looked at before it is used."""
 import math
 
-from waft.failures import BadInput
+from waft.failures import InputError
 
 _EXPECTED = {int: "a whole number", float: "a number", str: "a text"}
 
 
 def columns_of(rows, columns, place):
     """The rows of a table with these columns ({name: int, float or str}) as what they are: a number that is not finite is None. Raises
-    BadInput that names the file, the line, the column, what was expected and what was found."""
+    InputError that names the file, the line, the column, what was expected and what was found."""
     return [{name: _value(row.get(name), kind, f"{place}: row {number}: column {name}") for name, kind in columns.items()}
             for number, row in enumerate(rows)]
 
@@ -26,4 +26,4 @@ def _value(cell, kind, place):
             return value if math.isfinite(value) else None
         if value is not None and abs(value) <= 2.0 ** 53 and value == int(value):
             return int(value)
-    raise BadInput(f"{place}: expected {_EXPECTED[kind]}, found {'nothing' if cell is None else repr(cell[:80])}")
+    raise InputError(f"{place}: expected {_EXPECTED[kind]}, found {'nothing' if cell is None else repr(cell[:80])}")

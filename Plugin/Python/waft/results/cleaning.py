@@ -14,7 +14,7 @@ _MEGABYTE = 1e6
 def clean(folder=None, only_lists=False):
     """Removes what the store of this user holds or, of a results folder, the files of its manifest that nothing but a look at fields
     needs: series of fields and particles, pictures, kept states. Lists them first; with only_lists that is all. Returns their
-    bytes. Raises BadInput where the folder holds no results."""
+    bytes. Raises InputError where the folder holds no results."""
     return _clean_store(only_lists) if folder is None else _clean_folder(folder, only_lists)
 
 
@@ -31,12 +31,12 @@ def _clean_store(only_lists):
 def _clean_folder(folder, only_lists):
     path = pathlib.Path(folder)
     if not path.is_dir():
-        raise failures.BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+        raise failures.InputError(f"{folder}: no such folder; `waft synthesize` makes it")
     sizes = collections.Counter()
     with result_place(path) as place:
         manifest = place.manifest()
         if not manifest:
-            raise failures.BadInput(f"{folder}: expected a folder of results with its report.json, found none")
+            raise failures.InputError(f"{folder}: expected a folder of results with its report.json, found none")
         gone = {name: place.folder.about(name) for name in filter(is_beyond_results, manifest)}
         # What somebody changed is his.
         gone = {name: about for name, about in gone.items() if about is not None and manifest[name].fits(place.folder, name)}

@@ -2,7 +2,7 @@
 """What a folder of results holds, from its own records: `waft info DIR`. Nothing of it is changed."""
 import contextlib
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.results._records import TOLD, record_of
 from waft.results.place import is_at_work, manifest_in
 from waft.results.store import Store
@@ -18,11 +18,11 @@ _NAMED = 8  # files that a reader is told of, the largest
 
 
 def describe_result(folder):
-    """The document on a folder of results, or of a run that was stopped before there were any. Raises BadInput where it is neither."""
+    """The document on a folder of results, or of a run that was stopped before there were any. Raises InputError where it is neither."""
     below = settled(folder)
     report, stages = record_of(below, REPORT, TOLD), stages_done(below)
     if report is None and not stages:
-        raise BadInput(f"{folder}: expected a folder of results with its {REPORT}, or what a stopped run left, found neither")
+        raise InputError(f"{folder}: expected a folder of results with its {REPORT}, or what a stopped run left, found neither")
     files = _files(below)
     own = [file for file in files if file["command"] == "synthesize"]
     held = {**(_of_report(report) if report is not None else {}), "atWork": is_at_work(below), "goesOn": _goes_on(below, report, stages)}
@@ -75,7 +75,7 @@ def _goes_on(below, report, stages):
     """From where --resume goes on, and --edit-of."""
     damage = key_and_damage(below)[1] if stages else "nothing was stopped"
     state = None
-    with contextlib.suppress(BadInput):
+    with contextlib.suppress(InputError):
         if below.found(STATE):
             state = STATE
     if state is None and report is not None and Store().holds(report.get("key")):

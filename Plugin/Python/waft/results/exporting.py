@@ -9,7 +9,7 @@ import tempfile
 import numpy as np
 
 from waft.beneath import Folder
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.files import copy_file, write_bytes
 from waft.page import _pagedata
 from waft.render._cameras import Cameras
@@ -27,11 +27,11 @@ def export(folder, to, parts):
     """Writes FOLDER/scene.TO (glb, abc or usd), the animation with parts of its surroundings (of ground, obstacles, marks, camera), and its
     manifest, FOLDER/export-TO.json; returns the path.
 
-    Raises BadInput on a bad folder, and where a file is in the way that Waft did not write or that was changed since; WaftError
+    Raises InputError on a bad folder, and where a file is in the way that Waft did not write or that was changed since; WaftError
     where abc or usd is asked for and there is no Blender that writes it.
     """
     if not os.path.isdir(folder):
-        raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+        raise InputError(f"{folder}: no such folder; `waft synthesize` makes it")
     name = f"scene.{to}"
     with ResultPlace(folder, f"export-{to}.json") as place:
         place.check([name])

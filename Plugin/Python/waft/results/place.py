@@ -18,7 +18,7 @@ import stat
 import time
 
 from waft.beneath import Folder, parts_of
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.files import write_json
 from waft.results._records import CHANGE, SEALED, checked
 from waft.temporary import is_same, is_temporary, sweep_files, temporary_name
@@ -32,7 +32,7 @@ _STAYS = "it stays as it is: move it away, or choose another place for the resul
 _NOT_OURS = f"no run of waft wrote it: {_STAYS}"
 
 
-class Busy(BadInput):
+class Busy(InputError):
     """Another run holds the place."""
 
 
@@ -59,7 +59,7 @@ class Entry:
         """Whether it is what a Folder has under a name."""
         try:
             return folder.is_file(name) and folder.about(name).st_size == self.size and self == Entry.below(folder, name)
-        except BadInput:
+        except InputError:
             return False
 
 
@@ -75,22 +75,22 @@ def manifest_rows(manifest):
 
 
 def _entries(content, field, path):
-    """{name: Entry} of a manifest's rows, right by their schema; raises BadInput where a name leads out of the folder."""
+    """{name: Entry} of a manifest's rows, right by their schema; raises InputError where a name leads out of the folder."""
     found = {}
     for number, row in enumerate(content[field]):
         try:
             found["/".join(parts_of(row["name"]))] = Entry(int(row["size"]), row["digest"])
-        except BadInput as error:
-            raise BadInput(f"{path}: /{field}/{number}/name: {error}") from error
+        except InputError as error:
+            raise InputError(f"{path}: /{field}/{number}/name: {error}") from error
     return found
 
 
 def manifest_in(folder, name):
     """{name: Entry} of the manifest in a JSON file of a Folder; None where the file has none, or there is no such file. Raises
-    BadInput where it is malformed."""
+    InputError where it is malformed."""
     try:
         content = folder.json(name)
-    except BadInput:
+    except InputError:
         return None
     if not isinstance(content, dict) or "manifest" not in content:
         return None
@@ -98,17 +98,17 @@ def manifest_in(folder, name):
 
 
 def check_folder(folder):
-    """Raises BadInput unless files can be written in the folder, or it can be made; makes nothing."""
+    """Raises InputError unless files can be written in the folder, or it can be made; makes nothing."""
     try:
         place = pathlib.Path(folder).absolute()
         while not place.exists() and place != place.parent:
             place = place.parent
     except (OSError, ValueError) as error:
-        raise BadInput(f"{str(folder)[:200]}: expected the name of a folder: {getattr(error, 'strerror', error)}") from error
+        raise InputError(f"{str(folder)[:200]}: expected the name of a folder: {getattr(error, 'strerror', error)}") from error
     if not place.is_dir():
-        raise BadInput(f"{place}: expected a folder for the results, found a file")
+        raise InputError(f"{place}: expected a folder for the results, found a file")
     if not os.access(place, os.W_OK | os.X_OK):
-        raise BadInput(f"{place}: expected a folder that may be written in")
+        raise InputError(f"{place}: expected a folder that may be written in")
 
 
 def is_at_work(folder):
@@ -116,7 +116,7 @@ def is_at_work(folder):
     try:
         with folder.stream(LOCK) as lock:
             fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
-    except BadInput:
+    except InputError:
         return False
     except BlockingIOError:
         return True
@@ -130,11 +130,11 @@ def _stagings(room):
 
 
 def _is_cut_short(room):
-    """Whether results that are staged whole in a Folder wait for their places. Raises BadInput of what former versions left."""
+    """Whether results that are staged whole in a Folder wait for their places. Raises InputError of what former versions left."""
     for name in _FORMER:
         if room.about(name) is not None:
-            raise BadInput(f"{room.path / name}: an earlier build of Waft 0.1.0 was cut short while its results changed hands: move the files "
-                           "of its folder `new` (or, for the results before, `old`) to their places by hand, then remove it")
+            raise InputError(f"{room.path / name}: an earlier build of Waft 0.1.0 was cut short while its results changed hands: move the files "
+                             "of its folder `new` (or, for the results before, `old`) to their places by hand, then remove it")
     return any(room.about(f"{name}/{_STAGED}") is not None for name in _stagings(room))
 
 
@@ -143,7 +143,7 @@ class ResultPlace:
 
     root: the folder that names are relative to. seal: name of the JSON file that holds the manifest. room: name below root of
     the folder that has the lock and what is staged (none: root itself); it goes when it is empty. owns: whether a name may be one
-    of these results at all. folder: the Folder of root, None unless it is held. Raises BadInput when another run is at work there.
+    of these results at all. folder: the Folder of root, None unless it is held. Raises InputError when another run is at work there.
     """
 
     def __init__(self, root, seal, room=None, owns=lambda name: True):
@@ -180,7 +180,7 @@ class ResultPlace:
         try:
             self.root.mkdir(parents=True, exist_ok=True)
             folder = room = Folder(self.root)
-        except (FileExistsError, BadInput) as error:
+        except (FileExistsError, InputError) as error:
             if self.root.is_symlink() or not isinstance(error.__cause__ or error, (FileExistsError, FileNotFoundError)):
                 raise
             return
@@ -226,8 +226,8 @@ class ResultPlace:
         end = time.monotonic() + _PATIENCE
         while self.room.is_dir() and _is_cut_short(Folder(self.room)):
             if not os.access(self.room, os.W_OK | os.X_OK):
-                raise BadInput(f"{self.room}: a change of results was cut short there: it waits for a command of waft that may "
-                               "write in the folder")
+                raise InputError(f"{self.room}: a change of results was cut short there: it waits for a command of waft that may "
+                                 "write in the folder")
             try:
                 with self:
                     return
@@ -237,7 +237,7 @@ class ResultPlace:
                 time.sleep(0.05)
 
     def check(self, names, replaces_all=True):
-        """Raises BadInput where something that no run wrote, or that was changed since, stands in the way of files of these
+        """Raises InputError where something that no run wrote, or that was changed since, stands in the way of files of these
         names (with a slash at their end: of folders of them), or, if all results are replaced, among the earlier ones; returns
         the manifest of those."""
         manifest = self.manifest()
@@ -252,23 +252,23 @@ class ResultPlace:
         if manifest is None and self.folder.about(self.seal) is None:
             return {}
         if manifest is None or not all(map(self._owns, manifest)):
-            raise BadInput(f"{self.root / self.seal}: {_NOT_OURS}")
+            raise InputError(f"{self.root / self.seal}: {_NOT_OURS}")
         return {**manifest, self.seal: Entry.below(self.folder, self.seal)}
 
     def _found(self, name):
         """Names of what is there under a name that is to be written."""
         try:
             return self.folder.everything(name.rstrip("/")) if name.endswith("/") else [name] if self.folder.about(name) is not None else []
-        except BadInput as error:
-            raise BadInput(f"{self.root / name}: {_NOT_OURS}") from error
+        except InputError as error:
+            raise InputError(f"{self.root / name}: {_NOT_OURS}") from error
 
     def _check_own(self, name, manifest):
-        """Raises BadInput where what has a name is no file that a manifest has."""
+        """Raises InputError where what has a name is no file that a manifest has."""
         about = self.folder.about(name)
         if about is None or name in manifest and manifest[name].fits(self.folder, name):
             return
         is_changed = name in manifest and self.folder.is_regular(about)
-        raise BadInput(f"{self.root / name}: {f'it was changed since a run wrote it: {_STAYS}' if is_changed else _NOT_OURS}")
+        raise InputError(f"{self.root / name}: {f'it was changed since a run wrote it: {_STAYS}' if is_changed else _NOT_OURS}")
 
     def _stage(self):
         """The name of the folder in the room in which this run stages its files; it goes with the run, also when that dies."""
@@ -302,7 +302,7 @@ class ResultPlace:
         new = {name: Entry.below(self._room, f"{staging}/new/{name}") for name in staged}
         try:
             before = self.check(new, replaces_all=names is None)
-        except BadInput as error:  # it came there while the run was computing
+        except InputError as error:  # it came there while the run was computing
             raise WaftError(str(error)) from error
         kept = {name: entry for name, entry in before.items() if names is not None and name not in new and name != self.seal
                 and self.folder.about(name) is not None}
@@ -314,7 +314,7 @@ class ResultPlace:
         self._staging = None  # from here on it is finished, by whomever
         try:
             self._finish(staging)
-        except BadInput as error:
+        except InputError as error:
             raise WaftError(str(error)) from error
         if names is None:
             self._room.remove_all(staging)
@@ -329,18 +329,18 @@ class ResultPlace:
         seal = change["seal"]
         new, old = (_entries(change, which, self._room.path / path) for which in ("new", "old"))
         if seal not in new or not all(map(self._owns, (*new, *old))):
-            raise BadInput(f"{self._room.path / path}: expected names of these results alone, with that of their seal in /new")
+            raise InputError(f"{self._room.path / path}: expected names of these results alone, with that of their seal in /new")
         waiting = {name: f"{staging}/new/{name}" for name in new if self._room.about(f"{staging}/new/{name}") is not None}
         if seal not in waiting:  # which comes last
             return
         for name, staged in waiting.items():
             if not new[name].fits(self._room, staged):
-                raise BadInput(f"{self._room.path / staged}: expected the file that a run left there for {self.root / name}, found another: "
-                               f"remove {self._room.path / staging} and do anew what was cut short")
+                raise InputError(f"{self._room.path / staged}: expected the file that a run left there for {self.root / name}, found another: "
+                                 f"remove {self._room.path / staging} and do anew what was cut short")
             try:
                 self._check_own(name, old)
-            except BadInput as error:
-                raise BadInput(f"{error}; the results that are to come there wait in {self._room.path / staging}") from error
+            except InputError as error:
+                raise InputError(f"{error}; the results that are to come there wait in {self._room.path / staging}") from error
         with contextlib.suppress(FileNotFoundError):
             self.folder.remove(seal)
         for name in [name for name in waiting if name != seal]:

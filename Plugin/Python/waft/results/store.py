@@ -8,7 +8,7 @@ import re
 from typing import List, NamedTuple, Optional
 
 from waft.beneath import Folder
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.files import copy_file, whole_file
 
 MOST = 5_000_000_000  # bytes; beyond them the oldest go
@@ -35,7 +35,7 @@ class Store:
         self._most = most
         self._folder: Optional[Folder] = None
         self.path = place()
-        with contextlib.suppress(OSError, BadInput):
+        with contextlib.suppress(OSError, InputError):
             if self.path is not None:
                 self.path.mkdir(mode=0o700, parents=True, exist_ok=True)
                 self._folder = Folder(self.path)
@@ -43,7 +43,7 @@ class Store:
     def found(self, key) -> Optional[pathlib.Path]:
         """The state of a run; None where there is none."""
         name = self._name(key)
-        with contextlib.suppress(OSError, BadInput):
+        with contextlib.suppress(OSError, InputError):
             if self._folder is not None and name and self._folder.found(name) is not None:
                 os.utime(name, dir_fd=self._folder.descriptor, follow_symlinks=False)
                 return self._folder.path / name
@@ -61,7 +61,7 @@ class Store:
         try:
             folder.move(name, self._folder, own, replaces=True)
         except OSError:  # on another file system
-            with contextlib.suppress(OSError, BadInput), whole_file(os.fspath(self._folder.path / own), lambda path: True) as part:
+            with contextlib.suppress(OSError, InputError), whole_file(os.fspath(self._folder.path / own), lambda path: True) as part:
                 copy_file(folder.file(name), part)
         self._drop_oldest(own)
 

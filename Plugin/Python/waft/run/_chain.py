@@ -8,8 +8,7 @@ from waft.reading import read_json
 _TABLE = read_json(pathlib.Path(__file__).parents[1] / "chain.json")
 STAGES = {stage["name"]: stage for stage in _TABLE["stages"]}
 # The stages of the table as they are called here.
-ATTRIBUTES = {"Scene": "reader", "Planner": "planner", "Assimilation": "assimilation", "Spacetime": "spacetime", "Rotation": "rotation",
-              "VortexFit": "fit"}
+ATTRIBUTES = {name: stage["word"] for name, stage in STAGES.items()}
 # preview: drift in one sampled air on a coarse grid; air: the same on the full one; full: the optimiser from there, in that air, and
 # vortices fitted to it; paper: as in the paper, the optimiser from the plan, gas at rest.
 QUALITIES = tuple(_TABLE["qualities"])

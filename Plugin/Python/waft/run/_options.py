@@ -6,7 +6,7 @@ import numbers
 import pathlib
 from typing import Any, Dict, List
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.reading import read_json
 
 
@@ -44,7 +44,7 @@ class Option:
 
     def check(self, name: str, value: Any) -> None:
         if not self.accepts(value):
-            raise BadInput(f"{name}: expected {self.expected}, found {value!r}")
+            raise InputError(f"{name}: expected {self.expected}, found {value!r}")
 
 
 @functools.lru_cache(maxsize=None)

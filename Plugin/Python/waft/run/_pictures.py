@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, ContextManager, Dict, Iterator,
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.reading import read_bytes
 from waft.run.request import Path
 from waft.texts import in_html
@@ -35,13 +35,13 @@ def still(drawn: Callable[[], ContextManager[Any]], count: int, who: str, path: 
 
     frame = checked_frame(frame, count, f"{who}.render")
     if view not in VIEWS:
-        raise BadInput(f"{who}.render: view: expected one of {', '.join(VIEWS)}, found {view!r}")
+        raise InputError(f"{who}.render: view: expected one of {', '.join(VIEWS)}, found {view!r}")
     if options.get("style", "day") not in STYLES:
-        raise BadInput(f"{who}.render: style: expected one of {', '.join(STYLES)}, found {options['style']!r}")
+        raise InputError(f"{who}.render: style: expected one of {', '.join(STYLES)}, found {options['style']!r}")
     if len(size) != 2 or min(size) < 16 or max(size) > 16384:
-        raise BadInput(f"{who}.render: size: expected width and height from 16 to 16384, found {size!r}")
+        raise InputError(f"{who}.render: size: expected width and height from 16 to 16384, found {size!r}")
     if path is not None and pathlib.Path(path).suffix != ".png":
-        raise BadInput(f"{who}.render: path: expected a name that ends with .png, found {os.fspath(path)!r}")
+        raise InputError(f"{who}.render: path: expected a name that ends with .png, found {os.fspath(path)!r}")
     with _display(), drawn() as motion:
         stage = Stage(motion, size, **options)
         picture = stage.draw(view, frame)
@@ -57,7 +57,7 @@ def checked_frame(frame: Optional[int], count: int, who: str) -> int:
     """The number of a frame, the last where none is given."""
     frame = count - 1 if frame is None else frame
     if isinstance(frame, bool) or not isinstance(frame, (int, np.integer)) or not 0 <= frame < count:
-        raise BadInput(f"{who}: frame: expected a whole number from 0 to {count - 1}, found {frame!r}")
+        raise InputError(f"{who}: frame: expected a whole number from 0 to {count - 1}, found {frame!r}")
     return int(frame)
 
 

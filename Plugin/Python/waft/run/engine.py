@@ -2,45 +2,44 @@
 """The flight of a scene: the source of Waft Animation runs all stages; in ParaView they are made by themselves when they are asked for."""
 import contextlib
 import json
+import os
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
 from waft import reading
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, Interrupted, WaftError
 from waft.files import table_rows
 from waft.loading import data_file, load_plugin
-from waft.processes import share
 from waft.run._chain import ATTRIBUTES, QUALITIES, STAGES
-from waft.run.database import check_database, settle_database
 from waft.run.unfolding import unfold
 from waft.texts import say
 from waft.watching import Clock, Effort, collect
 
-NO_MEMORY = "found too little memory for it"  # how stages say so
-_STOPPABLE = ("planner", "assimilation", "spacetime")  # the others are quick, and the best so far is to be written whole
+_FAULTS = {"memory": WaftError, "disk": WaftError, "stopped": Interrupted}  # whose a failure is; of all others InputError
 _AFTER_SCENE, _AFTER_ALL = 0, 5
 _MOTION = {"planner": (0, 4, 2), "assimilation": (0, 2, 4), "spacetime": (0, 2, 5)}  # ports of tracks, vortices and report
 
 
 class Engine:
-    """The source, which needs VTK alone; what the last flight told: watches ({stage: Effort}), warnings, report (of the
-    rows, a dictionary each, all texts), plan_objects (what planning came to), stopped_in, moved_by (stages; the first may be "")."""
+    """The source, which needs VTK alone; what the last flight told: told (vtkMotionAnimationSource::GetFlight) and report (of the
+    rows, a dictionary each, all texts)."""
 
     def __init__(self, scene, quality, database=None):
         self.scene_file = str(scene)
         self.database_file = str(database or data_file("Database/embedded.vtm"))
-        settle_database(self.database_file)
-        check_database(self.database_file)
         from waft.vtkWaftFilters import vtkMotionAnimationSource
+        from waft.vtkWaftSources import vtkCheckedFiles
+
+        wrong = vtkCheckedFiles.CheckDatabase(os.fsencode(self.database_file))
+        if wrong:
+            raise InputError(wrong)
 
         self.algorithm = vtkMotionAnimationSource()
         self.algorithm.SetQuality(QUALITIES.index(quality))
         self.algorithm.SetDatabase(self.database_file if database is not None else "")
-        share(self.algorithm)
         self.settings = {}  # {stage: {property: value}} besides defaults and those of the quality
-        self.watches, self.warnings, self.report, self.plan_objects = {}, [], [], []
-        self.stopped_in, self.moved_by, self.has_air = "", "planner", False
-        self.is_planned_here = True
+        self.told = {}
+        self.report = []
         self._kept_poses = None  # of before a flight that failed
         self._stages = {}  # {attribute: proxy}, once they are made
 
@@ -51,12 +50,19 @@ class Engine:
         self._stages = {}
 
     def read(self, clock):
-        """The scene. Raises BadInput where it cannot be flown."""
+        """The scene. Raises InputError where it cannot be flown."""
         self.algorithm.SetFileName(self.scene_file)
         self.algorithm.SetStopAfter(_AFTER_SCENE)
-        effort = Effort().begin()
-        self._update(clock, lambda: None)
-        self.watches = {"reader": effort.end()}
+        self._update(clock)
+
+    @property
+    def watches(self):
+        """{stage: Effort}"""
+        return {name: Effort.of(effort) for name, effort in self.told["stages"].items()}
+
+    @property
+    def warnings(self):
+        return self.told["warnings"]
 
     def set_options(self, settings):
         """Properties of stages: {stage of the table: {property: value}}."""
@@ -91,100 +97,82 @@ class Engine:
         """What is told of the motion, and its poses, are as before where what is done meanwhile fails."""
         before = vtkPolyData()
         before.ShallowCopy(self.poses)
-        told = {name: getattr(self, name) for name in ("watches", "warnings", "report", "plan_objects", "stopped_in", "moved_by", "has_air")}
-        seed = self.algorithm.GetSeed()
+        told, report, seed = self.told, self.report, self.algorithm.GetSeed()
         try:
             self._follow_stages()
             yield
         except BaseException:
-            vars(self).update(told, _kept_poses=before)
+            self.told, self.report, self._kept_poses = told, report, before
             self.algorithm.SetSeed(seed)
             raise
 
-    def take_plan(self, tracks, rows, vortices, report):
-        """The next flight goes on from a plan; report: a dictionary a row, all texts. Raises BadInput where it cannot be."""
-        wrong = self.algorithm.TakePlan(tracks, rows, vortices, _table_of(report))
-        if wrong:
-            raise BadInput(wrong)
-        self.is_planned_here = False
+    def ask(self, request, writes):
+        """The next flight is as a Request says, into its output where this process writes."""
+        self._request = _as_flight(request)
+        if request.output is not None and writes:
+            self._request["Output"] = os.fspath(request.output)
+        self.algorithm.SetFlight(json.dumps(self._request))
 
-    def fly(self, clock, planned):
-        """Runs the stages; planned() is called once the paths are. Raises what that raises, BadInput of what a stage fails of (WaftError
-        where memory ended, which is no fault of the input), Interrupted when it is to stop and there is nothing to write yet."""
+    def fly(self, clock):
+        """Runs the stages, and writes what was asked for. Raises InputError of what a stage fails of (WaftError where memory or room ended,
+        which is no fault of the input), Interrupted when it is to stop and there is nothing to write yet."""
         self.algorithm.SetStopAfter(_AFTER_ALL)
         left = clock.remaining()
         self.algorithm.SetTimeLimit(0.0 if left is None else max(left, 0.001))
-        self._update(clock, planned)
-        clock.check()
+        self._update(clock)
         self._kept_poses = None
-        told = json.loads(self.algorithm.GetFlight())
-        for name, effort in told["efforts"].items():
-            watch = self.watches[ATTRIBUTES[name]] = Effort.of(effort)
-            say(f"waft: {ATTRIBUTES[name]}: {watch.seconds:.1f} s, {watch.processor_seconds:.1f} s of processor time, "
-                f"{watch.peak_mb:.0f} MB", "detail")
-        self.stopped_in = ATTRIBUTES.get(told["stopped"], "")
-        self.moved_by, self.has_air = ATTRIBUTES[told["movedBy"]], told["hasAir"]
-        if told["objects"]:
-            self.plan_objects = told["objects"]
-        clock.timed_out = clock.timed_out or bool(told["stopped"]) and not clock.interrupted
+        self.told = json.loads(self.algorithm.GetFlight())
+        for name, watch in self.watches.items():
+            say(f"waft: {name}: {watch.seconds:.1f} s, {watch.processor_seconds:.1f} s of processor time, {watch.peak_mb:.0f} MB", "detail")
         rows = vtkTable()
         self.algorithm.GetReport(rows)
         self.report = rows_of(rows)
 
-    def _update(self, clock, planned):
+    def _update(self, clock):
         """Updates the source, which says what happens."""
-        errors, failures = [], []
-
-        def end(act):
-            try:
-                act()
-            except BaseException as failure:  # noqa: B902 (raised again below: within VTK it would be lost)
-                failures.append(failure)
-                self.algorithm.SetAbortExecute(1)
+        errors = []
 
         def tell(*_):
-            name = ATTRIBUTES.get(self.algorithm.GetStageAtWork(), "")
-            if name in _STOPPABLE and clock.should_stop():
+            name = self.algorithm.GetStageAtWork()
+            if clock.should_stop():
                 self.algorithm.SetAbortExecute(1)
             clock.stage = name
-            clock.show(name or "database", self.algorithm.GetProgress(), self.algorithm.GetProgressText())
-
-        def check_and_plan():
-            clock.check()
-            planned()
+            clock.show(name, self.algorithm.GetProgress(), self.algorithm.GetProgressText())
 
         clock.check()
-        events = (("ProgressEvent", tell), ("UserEvent", lambda *_: end(check_and_plan)))
-        observed = [(self.algorithm, self.algorithm.AddObserver(event, take)) for event, take in events]
+        observed = [(self.algorithm, self.algorithm.AddObserver(event, take))
+                    for event, take in (("ProgressEvent", tell), ("UserEvent", lambda *_: clock.keep()))]
         observed += [collect(self.algorithm, "ErrorEvent", errors), collect(self.algorithm.GetExecutive(), "ErrorEvent", errors),
-                     collect(self.algorithm, "WarningEvent", self.warnings)]
+                     collect(self.algorithm, "WarningEvent", [])]
         try:
             self.algorithm.Update()
         finally:
             for each, observer in observed:
                 each.RemoveObserver(observer)
-        if failures:
-            raise failures[0]
         clock.check_progress()
         if errors:
-            kind = WaftError if NO_MEMORY in errors[0] else BadInput
-            raise kind(f"{self.database_file}: {errors[0]}" if errors[0].startswith("motion database: ") else errors[0])
+            self._fail(errors[0], clock)
 
-    def write(self, options):
-        """Writes the files of the flight; returns what report.json has of its motion."""
+    def _fail(self, words, clock=None):
+        kind = _FAULTS.get(json.loads(self.algorithm.GetFlight())["fault"], InputError)
+        if kind is Interrupted and clock is not None:
+            clock.hand_on()
+        raise kind(f"{self.database_file}: {words}" if words.startswith("motion database: ") else words)
+
+    def save(self, folder, is_shown=False):
+        """Writes the folder of the flight."""
         # The source may be behind what they show; a flight that was stopped does not go on for that.
-        if not self.stopped_in and (self._stages or self._kept_poses is not None):
+        if not self.told["isStopped"] and (self._stages or self._kept_poses is not None):
             with self.undone_on_failure(), Clock(quiet=True) as clock:
-                self.fly(clock, lambda: None)
-        told = json.loads(self.algorithm.WriteFlight(json.dumps(options)))
-        if "error" in told:
-            raise OSError(told["error"])
-        self.warnings += [text for text in told["warnings"] if text not in self.warnings]
-        return told["report"]
+                self.fly(clock)
+        wrong = self.algorithm.SaveFlight(json.dumps({**self._request, "Output": os.fspath(folder)}), is_shown)
+        self.told = json.loads(self.algorithm.GetFlight())
+        if wrong:
+            self._fail(wrong)
 
     @property
     def seed(self):
-        return self.algorithm.GetSeed() if self.algorithm.GetSeed() >= 0 else self.algorithm.GetSceneSeed()
+        return self.told["seed"]
 
     @property
     def poses(self):
@@ -195,7 +183,7 @@ class Engine:
         return self.algorithm.GetOutputDataObject(1) if rotation is None else rotation.GetClientSideObject().GetOutputDataObject(1)
 
     def stage(self, name):
-        """The proxy of a stage; None where the flight had none of that name. Raises BadInput where they are to be made, and the scene
+        """The proxy of a stage; None where the flight had none of that name. Raises InputError where they are to be made, and the scene
         file is there no more."""
         if not self._stages:
             self._make_stages()
@@ -213,7 +201,7 @@ class Engine:
         if self.algorithm.GetDatabase():
             self._stages["database"] = made["planner"].Database = _database_reader(simple, self.database_file)
         if "assimilation" in made:
-            made["assimilation"].EditOf = self.algorithm.GetEditOf()
+            made["assimilation"].EditOf = self.told["editOf"]
         self._stages.update(made)
         for name, own in self.settings.items():
             for setting, value in own.items() if ATTRIBUTES[name] in made else ():
@@ -241,7 +229,7 @@ class Engine:
     @property
     def motion(self):
         """The name of the stage that moves the objects to their marks, and its ports of tracks, vortices and report."""
-        return self.moved_by, *_MOTION[self.moved_by]
+        return self.told["movedBy"], *_MOTION[self.told["movedBy"]]
 
 
 def _number(stage, name, value):
@@ -262,18 +250,11 @@ def rows_of(table):
     return [dict(zip(header, row)) for row in rows]
 
 
-def _table_of(rows):
-    """A vtkTable of texts, of dictionaries with the same keys."""
-    from vtkmodules.vtkCommonCore import vtkStringArray
-
-    table = vtkTable()
-    for name in rows[0] if rows else ():
-        column = vtkStringArray()
-        column.SetName(name)
-        for row in rows:
-            column.InsertNextValue(row[name])
-        table.AddColumn(column)
-    return table
+def _as_flight(request):
+    """A Request as vtkMotionAnimationSource::SetFlight takes it."""
+    return {"EditOf": "" if request.edit_of is None else os.fspath(request.edit_of), "Resumes": request.resume, "HasCsv": request.csv,
+            "HasMeshes": request.meshes, "HasParticles": request.particles, "KeepsAir": "air" in request.keep,
+            "KeepsState": "state" in request.keep, "Defaults": dict(request._defaults), "EndsWhole": True}
 
 
 def _database_reader(simple, path):

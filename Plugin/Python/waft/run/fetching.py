@@ -4,7 +4,7 @@ from typing import Any, Optional, Union
 
 from paraview import servermanager
 
-from waft.failures import BadInput
+from waft.failures import InputError
 
 
 def fetch(stage: Any, port: Optional[Union[int, str]] = None, time: Optional[float] = None) -> Any:
@@ -14,7 +14,7 @@ def fetch(stage: Any, port: Optional[Union[int, str]] = None, time: Optional[flo
     first. time: in seconds; none: what the output shows now, up to date.
     """
     if not isinstance(stage, servermanager.SourceProxy):
-        raise BadInput(f"fetch: expected a stage, found {stage!r}")
+        raise InputError(f"fetch: expected a stage, found {stage!r}")
     number = _number_of(stage, stage.Port if port is None else port)
     stage.UpdatePipeline(time)
     return servermanager.Fetch(stage, idx=number)
@@ -25,5 +25,5 @@ def _number_of(stage, port):
     if port in names:
         return names.index(port)
     if isinstance(port, bool) or not isinstance(port, int) or not 0 <= port < len(names):
-        raise BadInput(f"fetch: port: expected one of {', '.join(names)}, or a number from 0 to {len(names) - 1}, found {port!r}")
+        raise InputError(f"fetch: port: expected one of {', '.join(names)}, or a number from 0 to {len(names) - 1}, found {port!r}")
     return port

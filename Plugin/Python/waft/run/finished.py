@@ -7,7 +7,7 @@ from typing import Any, Dict, Iterator, List, cast
 
 from waft import failures
 from waft.beneath import Folder
-from waft.failures import BadInput, WaftError
+from waft.failures import InputError, WaftError
 from waft.files import copy_file
 from waft.results import _folder
 from waft.results._arrays import array_of
@@ -46,16 +46,16 @@ def load(folder: Path) -> Run:
     """The flight of a folder that `waft synthesize` (or waft.synthesize with an output) wrote: its arrays, marks, pictures, page, tables, and
     show(). Nothing is flown again, and nothing of the folder is changed.
 
-    The motion is read at once; pictures on the bodies, the page and copies need the folder later, too. Raises BadInput that names the file,
+    The motion is read at once; pictures on the bodies, the page and copies need the folder later, too. Raises InputError that names the file,
     what was expected and what was found. A file that was changed since it was written is read where it is right, and run.warnings
     tells of it.
     """
     if not isinstance(folder, (str, os.PathLike)):
-        raise BadInput(f"load: folder: expected the path of a folder, found {folder!r}")
+        raise InputError(f"load: folder: expected the path of a folder, found {folder!r}")
     folder = os.path.abspath(os.fspath(folder))
     below = settled(folder)
     if not below.is_file(SEAL):
-        raise BadInput(f"{below.path / SEAL}: missing; expected the folder of a flight that `waft synthesize` wrote")
+        raise InputError(f"{below.path / SEAL}: missing; expected the folder of a flight that `waft synthesize` wrote")
     about = record_of(below, SEAL, REPORT)
     motion = _folder.load(folder)
     columns = motion.poses.GetPointData()
@@ -102,11 +102,11 @@ class FinishedRun(Run):
         below = self._below()
         manifest = manifest_in(below, SEAL)
         if manifest is None:
-            raise BadInput(f"{below.path / SEAL}: expected a manifest of the files of the flight, found none")
+            raise InputError(f"{below.path / SEAL}: expected a manifest of the files of the flight, found none")
         lacking = [name for name, entry in manifest.items() if not entry.fits(below, name)]
         if lacking:
-            raise BadInput(f"{below.path / lacking[0]}: expected the file that a run wrote, found "
-                           f"{'another' if below.about(lacking[0]) is not None else 'none'}: nothing was copied")
+            raise InputError(f"{below.path / lacking[0]}: expected the file that a run wrote, found "
+                             f"{'another' if below.about(lacking[0]) is not None else 'none'}: nothing was copied")
         if os.path.realpath(folder) == os.path.realpath(below.path):
             return
         with result_place(folder) as place:
@@ -139,7 +139,7 @@ class FinishedRun(Run):
 
     def _below(self) -> Folder:
         if not os.path.isdir(str(self._folder)):
-            raise BadInput(f"{self._folder}: no such folder any more: waft.load reads it from where it is now")
+            raise InputError(f"{self._folder}: no such folder any more: waft.load reads it from where it is now")
         return settled(self._folder)
 
     def _poses(self) -> Any:

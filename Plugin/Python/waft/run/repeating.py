@@ -4,28 +4,29 @@ import os
 import time
 
 from waft import failures
+from waft.display import start
+from waft.loading import command
 from waft.reading import check_scene_file
 from waft.scene import Scene
-from waft.texts import say
-from waft.watching import interruptible
+from waft.texts import say, warn
+from waft.watching import interruptible, passed_on
 
 POLL = 0.25  # s between two looks at the files
 
 
-def fly_when_saved(scene, fly):
-    """Calls fly(), a status, now and after each change of the scene file or a file that it names, until it is stopped; a scene that
-    is malformed is reported, and waited for. Returns the status of the last flight that came to its end."""
+def fly_when_saved(scene, output, arguments):
+    """Flies a scene file to a preview and its page, now and after each change of it or of a file that it names, until it is stopped; a
+    scene that is malformed is reported, and waited for. arguments: of `waft synthesize`. Returns the status of the last flight that came to its
+    end."""
     check_scene_file(scene)
     look = Look(scene)
     while True:
         seen = look()
-        try:
-            status = fly()
-        except failures.BadInput as error:
-            status = error.status
-            say(f"waft: {error}", "error")
+        status = _fly(arguments)
         if status == failures.STOPPED_EARLY:
             return status
+        if status in (failures.ALL_MET, failures.NOT_ALL_MET):
+            _show(output)
         try:
             with interruptible(""):  # the last flight is whole: nobody has to end this process
                 say(f"waft: {scene}: waiting for it to be saved; Ctrl-C ends this")
@@ -36,6 +37,23 @@ def fly_when_saved(scene, fly):
                     settled = look()
         except failures.Interrupted:
             return status
+
+
+def _fly(arguments):
+    """The status of `waft synthesize`, which has the stops that come meanwhile."""
+    child = start([command(), "synthesize", *arguments, "--preview"])
+    with passed_on(child):
+        return child.wait()
+
+
+def _show(output):
+    """The page, which loads itself again after the next one; without it there is all else."""
+    from waft.page import write_page
+
+    try:
+        say(f"waft: {write_page(output, is_watched=True)}: open it in a browser, it follows")
+    except failures.WaftError as error:
+        warn(error)
 
 
 class Look:
@@ -57,7 +75,7 @@ class Look:
 def _named(scene):
     try:
         return Scene.load(scene).files()
-    except failures.BadInput:
+    except failures.InputError:
         return ()
 
 

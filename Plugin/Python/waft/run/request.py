@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a flight is asked for: each option of waft.synthesize once, with its type, its sentence and its default; what Core says of
-an option of a stage, it says here. The command has its help from here, too."""
+an option of a stage, it says here, and what the program says of its own."""
 import dataclasses
 import functools
 import inspect
 import os
+import pathlib
 import textwrap
 from typing import (
     Annotated, Any, Callable, Dict, List, Mapping, Optional, ParamSpec, Sequence, TypeVar, Union, get_type_hints)
 
+from waft.failures import InputError
+from waft.reading import read_json
 from waft.run._options import Option, option
-from waft.failures import BadInput
 from waft.run._chain import KEPT, QUALITIES, WITHOUT, quality_of
 from waft.scene import Scene
 from waft.texts import is_utf8
+
+# What the program tells of its commands (Plugin/Command): commands.json, which is written when Waft is built.
+TOLD = read_json(pathlib.Path(__file__).parents[1] / "commands.json")
+_SENTENCES = {said["field"]: said["help"] for own in TOLD["own"].values() for said in own["options"] if said["field"]}
 
 Path = Union[str, "os.PathLike[str]"]
 Progress = Callable[[float, str], Optional[bool]]
@@ -27,48 +33,44 @@ class Request:
 
     scene: Annotated[Union[Scene, Path], "a waft.Scene, or the path of a *.waft.json file"]
     output: Annotated[Optional[Path], "folder for the results (default: nothing is written)"] = None
-    database: Annotated[Optional[Path], "motion database, .vtm (default: the embedded one)"] = None
+    database: Annotated[Optional[Path], _SENTENCES["database"]] = None
     _: dataclasses.KW_ONLY
     seed: Annotated[Optional[int], option("vtkMotionAnimationSource", "Seed")] = None
-    threads: Annotated[Optional[int], "default: all cores; the result is the same"] = None
-    time_limit: Annotated[Optional[float], "seconds; the best so far is written"] = None
-    preview: Annotated[bool, "quality preview: coarse, for a quick look"] = False
-    resume: Annotated[bool, "go on from what an earlier run of the same inputs left in the output, to the same motion as if it "
-                            "had not been stopped"] = False
+    threads: Annotated[Optional[int], _SENTENCES["threads"]] = None
+    time_limit: Annotated[Optional[float], _SENTENCES["time_limit"]] = None
+    preview: Annotated[bool, _SENTENCES["preview"]] = False
+    resume: Annotated[bool, _SENTENCES["resume"]] = False
     quiet: Annotated[bool, "say nothing of progress on stderr"] = True
     checkpoint_interval: Annotated[Optional[float], option("vtkSPHSpacetimeFilter", "CheckpointInterval",
                                                            of="the optimiser")] = None
-    meshes: Annotated[bool, "also meshes.pvd: all meshes posed, a file a frame"] = False
+    meshes: Annotated[bool, _SENTENCES["meshes"]] = False
     memory_limit: Annotated[Optional[float], option("vtkSPHSpacetimeFilter", "MemoryLimit", of="the optimiser")] = None
-    quality: Annotated[Optional[str], f"how objects come to their marks: {', '.join(QUALITIES)} (default full); air was called "
-                                      "assimilated before, which names it still"] = None
-    edit_of: Annotated[Optional[Path], "a finished run of the scene before some rows changed: the same air, only what changed "
-                                       "drifts again"] = None
+    quality: Annotated[Optional[str], _SENTENCES["quality"]] = None
+    edit_of: Annotated[Optional[Path], _SENTENCES["edit_of"]] = None
     on_progress: Annotated[Optional[Progress], "called with the share that is done (0 to 1) and a sentence, some five times a "
                                                "second; when it returns False the run stops with the best so far"] = None
-    particles: Annotated[bool, "also particles.pvd: the optimiser's gas and objects, a file a frame"] = False
-    keep: Annotated[Sequence[str], "what to write in full: air (every frame of air.pvd and air_wind.pvd), state (what edits go on "
-                                   "from, otherwise kept in the user's store)"] = ()
+    particles: Annotated[bool, _SENTENCES["particles"]] = False
+    keep: Annotated[Sequence[str], _SENTENCES["keep"]] = ()
     csv: Annotated[bool, "write poses.csv, the motion as a table, which poses.vtp and animation.glb hold as well"] = True
     _settings: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # {stage: {property: value}}, for tests
     _defaults: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # what the command took from the user's settings
 
     def __post_init__(self) -> None:
-        """Raises BadInput of what can be told without a look at any file."""
+        """Raises InputError of what can be told without a look at any file."""
         if self.on_progress is not None and not callable(self.on_progress):
-            raise BadInput(f"on_progress: expected a function of a share and a sentence, found {self.on_progress!r}")
+            raise InputError(f"on_progress: expected a function of a share and a sentence, found {self.on_progress!r}")
         for name, stated in STATED.items():
             if getattr(self, name) is not None:
                 stated.check(name, getattr(self, name))
         for path in (self.scene, self.output, self.database, self.edit_of):
             if path and not isinstance(path, Scene) and not is_utf8(path):
-                raise BadInput(f"{os.fsdecode(path)}: expected a name in UTF-8, as ParaView takes no other")
+                raise InputError(f"{os.fsdecode(path)}: expected a name in UTF-8, as ParaView takes no other")
         if self.way not in QUALITIES:
-            raise BadInput(f"quality: expected one of {', '.join(QUALITIES)}, found {self.way}")
+            raise InputError(f"quality: expected one of {', '.join(QUALITIES)}, found {self.way}")
         if self.particles and "spacetime" in WITHOUT[self.way]:
-            raise BadInput(f"particles: expected quality full or paper, whose optimiser has particles, found {self.way}")
+            raise InputError(f"particles: expected quality full or paper, whose optimiser has particles, found {self.way}")
         for wrong in (name for name in self.keep if name not in KEPT):
-            raise BadInput(f"keep: expected of {', '.join(KEPT)}, found {wrong!r}")
+            raise InputError(f"keep: expected of {', '.join(KEPT)}, found {wrong!r}")
 
     @property
     def way(self) -> str:

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any, ContextManager, Dict, Iterator, List, Opt
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.run import _pictures, _tables
 from waft.run._flight import Flight
 from waft.run.request import Path
+from waft.texts import is_utf8
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -121,21 +122,21 @@ class Run:
     def page(self, path: Optional[Path] = None) -> str:
         """Writes the page that shows the flight in a browser (Documentation/Page.md); returns its path.
 
-        path: a name that ends with .html (default: page.html in the folder of the flight). Raises BadInput where something is in the way
+        path: a name that ends with .html (default: page.html in the folder of the flight). Raises InputError where something is in the way
         that Waft did not write, and where there is neither a path nor a folder.
         """
         from waft.page.writing import write_page, write_text_of_page
 
         if path is not None:
             if pathlib.Path(path).suffix != ".html":
-                raise BadInput(f"{type(self).__name__}.page: path: expected a name that ends with .html, found {os.fspath(path)!r}")
+                raise InputError(f"{type(self).__name__}.page: path: expected a name that ends with .html, found {os.fspath(path)!r}")
             return write_text_of_page(self._page(), os.fspath(path))
         if self.folder is None:
-            raise BadInput(f"{type(self).__name__}.page: path: expected the name of a file, found none: this flight is in no folder")
+            raise InputError(f"{type(self).__name__}.page: path: expected the name of a file, found none: this flight is in no folder")
         return write_page(self.folder)
 
     def save(self, folder: Path) -> None:
-        """Writes the files of the flight into a folder, as `output` of waft.synthesize does. Raises BadInput where results would take
+        """Writes the files of the flight into a folder, as `output` of waft.synthesize does. Raises InputError where results would take
         the place of files that no run wrote, or that were changed since; nothing is written then."""
         raise NotImplementedError
 
@@ -182,8 +183,13 @@ class Run:
 
 
 # What of a flight was an attribute of its Result before.
-_FORMER = ("pipeline", "hurries", "stopped_in", "series", "edit_of", "keep", "key", "scene_folder", "scene_file", "database_file", "watches",
-           "request", "plan_objects", "motion", "has_air")
+_FORMER = ("pipeline", "stopped_in", "left_out", "series", "key", "scene_file", "database_file", "watches", "request", "motion", "has_air")
+
+
+def _in_utf8(folder):
+    if not is_utf8(folder):
+        raise InputError(f"{os.fsdecode(folder)}: expected a name in UTF-8, as ParaView takes no other")
+    return folder
 
 
 class Result(Run):
@@ -198,7 +204,7 @@ class Result(Run):
     @property
     def seed(self) -> int:
         """The number that plan, air and turns are drawn by. Another one flies anew, all stages with the properties that they have: what
-        waft.synthesize(..., seed=N) gives. It takes the time of a flight; Ctrl-C stops it, with the best so far. Raises BadInput, and leaves
+        waft.synthesize(..., seed=N) gives. It takes the time of a flight; Ctrl-C stops it, with the best so far. Raises InputError, and leaves
         the seed as it was, of a flight in the air of another (edit_of) or on a plan that was read (resume), and where a stage fails."""
         return self._about.seed
 
@@ -246,9 +252,7 @@ class Result(Run):
         self._about.pipeline.delete()
 
     def save(self, folder: Path) -> None:
-        from waft.results.writing import save_results
-
-        save_results(self._about, folder)
+        self._about.pipeline.save(_in_utf8(folder))
         self._folder = os.fspath(folder)
 
     def show(self, view: Any = None) -> Any:
@@ -267,16 +271,15 @@ class Result(Run):
         from waft.results._folder import load
 
         with tempfile.TemporaryDirectory(prefix="waft-still-") as folder:
-            self._about.pipeline.write({"Folder": folder, "HasFields": False, "HasCsv": False, "HasAnimation": False})
+            self._about.pipeline.save(folder, is_shown=True)
             yield load(folder)
 
     def _page(self) -> str:
         from waft.page.writing import page_of
-        from waft.results.writing import save_results
 
         with tempfile.TemporaryDirectory(prefix="waft-page-") as folder:
-            save_results(self._about, os.path.join(folder, "out"), is_shown_alone=True)
-            return page_of(os.path.join(folder, "out"))
+            self._about.pipeline.save(folder, is_shown=True)
+            return page_of(folder)
 
     if not TYPE_CHECKING:
         def __getattr__(self, name):

@@ -8,7 +8,7 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.run.updating import update
 
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
@@ -27,7 +27,7 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     new one), a table of costs in a line chart with a logarithmic axis; where it shows none, its tables. An output that is named,
     by `port` or as OutputPort(stage, 1), is shown in any case. The camera takes all in, a view that showed nothing gets a soft
     background, and the animation of the session has the frames of the scene. Returns the views, the one in
-    space first. Raises BadInput with the sentence of a stage that fails.
+    space first. Raises InputError with the sentence of a stage that fails.
     """
     ports = [pair for one in (shown if isinstance(shown, (list, tuple)) else [shown]) for pair in _ports_of(one, port)]
     in_space = [output for output, kind in ports if kind == ""]
@@ -67,13 +67,13 @@ def _ports_of(shown, port):
     if hasattr(shown, "_stage"):  # a FinishedRun
         shown = shown._stage()
     if not isinstance(shown, servermanager.SourceProxy):
-        raise BadInput(f"show: expected a stage, a Run or a list of stages, found {shown!r}")
+        raise InputError(f"show: expected a stage, a Run or a list of stages, found {shown!r}")
     update(shown)
     count = shown.SMProxy.GetNumberOfOutputPorts()
     if port is None:
         port = shown.Port or None  # an OutputPort is its stage with the number of the port
     elif not isinstance(port, int) or not 0 <= port < count:
-        raise BadInput(f"show: port: expected a whole number from 0 to {count - 1}, found {port!r}")
+        raise InputError(f"show: port: expected a whole number from 0 to {count - 1}, found {port!r}")
     if port is not None:
         output = simple.OutputPort(shown, port)
         return [(output, "XYChartView" if _about(output).GetDataClassName() == "vtkTable" else "")]

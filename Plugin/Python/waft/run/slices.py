@@ -9,7 +9,7 @@ def go_on(source: Any) -> bool:
     """Goes on with the work that a source holds, by one slice of its stages; True when nothing is left.
 
     source: a proxy, Waft Animation or a stage by itself, whose property Slice [s] is above 0. The first slice is done by
-    UpdatePipeline() or Show(). Works on a pvserver as well. Raises BadInput where source is no proxy, and with the sentence of a
+    UpdatePipeline() or Show(). Works on a pvserver as well. Raises InputError where source is no proxy, and with the sentence of a
     stage that fails: one that has failed has nothing left to do.
     """
     check_proxy(source)

@@ -21,7 +21,7 @@ import time
 from waft import failures, loading
 from waft.beneath import Folder
 from waft.display import STOPS
-from waft.failures import BadInput, Interrupted, WaftError
+from waft.failures import InputError, Interrupted, WaftError
 from waft.files import write_text
 from waft.reading import check_scene_file, json_of, open_stream
 from waft.results import Busy, Entry, ResultPlace, check_folder
@@ -43,7 +43,7 @@ def fly_takes(scene, seeds, output, quality="full", jobs=1, threads=None, databa
     """Flies the takes of these seeds that are not there yet, `jobs` at a time, each on `threads` threads (by default all cores
     together), and puts them in the table of `output`. log: called with a line for each.
 
-    Returns the exit status of all and the rows of the table (dictionaries). Raises BadInput before anything is computed: of a scene
+    Returns the exit status of all and the rows of the table (dictionaries). Raises InputError before anything is computed: of a scene
     that is malformed, and of files of others where the table or a take would be.
     """
     check_folder(output)
@@ -111,7 +111,7 @@ class _Flight:
         self._scene = Scene.load(scene)
         self._name = os.path.basename(scene)
         if database and not os.path.isfile(database):
-            raise BadInput(f"{database}: no such file")
+            raise InputError(f"{database}: no such file")
         # What a scene lacks is for who flies it to say: there is no file, as there might be another.
         for file in [scene, *sorted(self._scene.files()), *([database] if database else [])]:
             content.update((Entry.of(open_stream(file)).digest if os.path.isfile(file) else "none").encode())

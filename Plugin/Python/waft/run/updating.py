@@ -2,24 +2,24 @@
 """Updates of stages that do not fail in silence."""
 from typing import Any
 
-from waft.failures import BadInput
+from waft.failures import InputError
 
 _MARK = "Failure"  # field data of the outputs of a stage that failed, and of those after it: the sentence
 
 
 def update(source: Any) -> None:
-    """Updates a source or filter, Waft Animation or a stage by itself; raises BadInput with the sentence of what failed, its own
-    or one that it takes from. Works on a pvserver as well. Raises BadInput where source is no proxy."""
+    """Updates a source or filter, Waft Animation or a stage by itself; raises InputError with the sentence of what failed, its own
+    or one that it takes from. Works on a pvserver as well. Raises InputError where source is no proxy."""
     check_proxy(source)
     source.UpdatePipeline()
     sentence = failure_of(source)
     if sentence:
-        raise BadInput(sentence)
+        raise InputError(sentence)
 
 
 def check_proxy(source: Any) -> None:
     if not hasattr(source, "SMProxy") or not hasattr(source, "UpdatePipeline"):
-        raise BadInput(f"source: expected a proxy of a source or filter, found {source!r}")
+        raise InputError(f"source: expected a proxy of a source or filter, found {source!r}")
 
 
 def failure_of(source: Any) -> str:

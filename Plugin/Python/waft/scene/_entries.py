@@ -5,7 +5,7 @@ import inspect
 import re
 from typing import Any, Callable, Dict, TypeVar, cast
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.scene import _schema
 from waft.scene._sense import nonsense
 
@@ -24,12 +24,12 @@ def argument_name(field):
 
 
 def refusal(method, argument, expected, found):
-    return BadInput(f"Scene.{method}: {argument}: expected {expected}, found {found}")
+    return InputError(f"Scene.{method}: {argument}: expected {expected}, found {found}")
 
 
 def documented(*definitions: str) -> Callable[[Method], Method]:
     """For a method whose arguments are fields of these definitions of the schema: what the schema says of each ends its
-    documentation, and a call that does not fit its signature raises BadInput."""
+    documentation, and a call that does not fit its signature raises InputError."""
     fields: Dict[str, Any] = {}
     for kind in definitions:
         fields.update(_schema.definition(kind)["properties"])
@@ -43,7 +43,7 @@ def documented(*definitions: str) -> Callable[[Method], Method]:
             try:
                 signature.bind(self, *positional, **named)
             except TypeError as error:
-                raise BadInput(f"Scene.{method.__name__}: {error}; expected the arguments {', '.join(names)}") from None
+                raise InputError(f"Scene.{method.__name__}: {error}; expected the arguments {', '.join(names)}") from None
             return method(self, *positional, **named)
 
         lines = [f"{name}: {_schema.described(fields[field_name(name)])}" for name in names if field_name(name) in fields]
@@ -54,7 +54,7 @@ def documented(*definitions: str) -> Callable[[Method], Method]:
 
 
 def entry_of(method, definition, given, **constant):
-    """The entry of a definition from a method's arguments, those that are None left out; raises BadInput that names the first
+    """The entry of a definition from a method's arguments, those that are None left out; raises InputError that names the first
     that is wrong."""
     entry = dict(constant)
     for argument, value in given.items():
@@ -72,7 +72,7 @@ def entry_of(method, definition, given, **constant):
     if wrong is not None:
         place, expected, found = wrong
         if not place:  # of several together
-            raise BadInput(f"Scene.{method}: expected {expected}, found {found}")
+            raise InputError(f"Scene.{method}: expected {expected}, found {found}")
         head, *rest = place.strip("/").split("/")
         raise refusal(method, "".join([argument_name(head), *(f"[{part}]" if part.isdigit() else f".{part}" for part in rest)]),
                       expected, found)
@@ -80,7 +80,7 @@ def entry_of(method, definition, given, **constant):
 
 
 def sensible(method, definition, entry):
-    """The entry; raises BadInput where its fields do not go together."""
+    """The entry; raises InputError where its fields do not go together."""
     wrong = nonsense(entry, definition)
     if wrong is not None:
         field, expected, found = wrong

@@ -7,7 +7,7 @@ import os
 import re
 from typing import Any, Dict, Iterable, List, Mapping, Optional, SupportsFloat, Union
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.files import whole_file, write_text
 from waft.reading import json_of, read_json, read_text
 from waft.scene import _schema
@@ -36,7 +36,7 @@ class Scene:
     Metres, seconds, kilograms, radians; z is up; frames are counted from 0. Arguments are the fields of scene files
     (Documentation/SceneFiles.md) with underscores: settling_speed is settlingSpeed. A vector is a tuple, list or numpy array
     [x, y, z], or whatever gives three numbers, a quaternion [w, x, y, z]. Paths of files are relative to the working directory; in a saved scene they are
-    relative to it. A wrong argument raises waft.BadInput at once, naming the argument, what was expected and what was found.
+    relative to it. A wrong argument raises waft.InputError at once, naming the argument, what was expected and what was found.
     Shapes and objects come before what names them.
     """
 
@@ -229,7 +229,7 @@ class Scene:
     # Files and looking inside
 
     def save(self, path: Path, *, is_new: bool = False) -> None:
-        """Writes the scene file; paths in it are relative to it. Raises BadInput where there is no such folder, where something else
+        """Writes the scene file; paths in it are relative to it. Raises InputError where there is no such folder, where something else
         than a scene is there, or with is_new anything, which stays, and OSError where it cannot be written."""
         path = _schema.plain(path)
         if not isinstance(path, str) or not path:
@@ -247,13 +247,13 @@ class Scene:
 
     @classmethod
     def load(cls, path: Path) -> "Scene":
-        """Reads a scene file, comments included. Raises BadInput that names file and place where it is malformed."""
+        """Reads a scene file, comments included. Raises InputError that names file and place where it is malformed."""
         path = os.fspath(path)
         data = read_json(path, what="a scene file", parse_constant=_no_number)
         wrong = _schema.fault(data, _schema.definition("scene"), "")
         if wrong:
             place, expected, found = wrong
-            raise BadInput(f"{path}: {place or '/'}: expected {expected}, found {found}")
+            raise InputError(f"{path}: {place or '/'}: expected {expected}, found {found}")
         scene = cls()
         scene._data = _schema.with_files(data, _schema.definition("scene"), lambda file: _file_of_scene(path, file))
         for objects in scene._data.get("objects", ()):
@@ -403,7 +403,7 @@ def _is_scene(path):
     try:
         text = read_text(path)
         content = json_of(text, path) if text else {"waft": 1}
-    except BadInput:
+    except InputError:
         return False
     return isinstance(content, dict) and "waft" in content
 

@@ -10,7 +10,7 @@ from waft.scene.builder import Scene
 
 
 def describe_scene(path):
-    """The document on a scene file. Raises BadInput where it is none."""
+    """The document on a scene file. Raises InputError where it is none."""
     check_scene_file(path, "no such folder of results, and no such scene file")
     scene = Scene.load(path)
     said = scene.as_dict()

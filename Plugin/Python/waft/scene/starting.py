@@ -6,7 +6,7 @@ import itertools
 import math
 import os
 
-from waft.failures import BadInput
+from waft.failures import InputError
 from waft.files import check_target
 from waft.reading import read_text
 from waft.scene.builder import Scene
@@ -26,18 +26,18 @@ SURFACES = (".vtp", ".obj", ".ply", ".stl", ".glb")
 
 def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60):
     """Writes a commented scene that flies: texts and images in the order given, formed one after the other by `count` bodies of a
-    built-in shape; for each curve a body that follows it; obstacles from files. Raises BadInput where there is a file, and of
+    built-in shape; for each curve a body that follows it; obstacles from files. Raises InputError where there is a file, and of
     files and texts that no scene can use."""
     check_target(path)
     if not str(path).endswith(".waft.json"):
-        raise BadInput(f"{path}: expected a name that ends with .waft.json")
+        raise InputError(f"{path}: expected a name that ends with .waft.json")
     for text in texts:
         if not text.strip():
-            raise BadInput("--text: expected a word, found blanks")
+            raise InputError("--text: expected a word, found blanks")
     for files, kinds in ((images, PICTURES), (obstacles, SURFACES)):
         for file in files:
             if not str(file).lower().endswith(kinds):
-                raise BadInput(f"{file}: expected a file that ends with {', '.join(kinds)}")
+                raise InputError(f"{file}: expected a file that ends with {', '.join(kinds)}")
     courses = [_course(curve) for curve in curves]
     if not (texts or images or curves):
         texts = ["WAFT"]
@@ -85,10 +85,10 @@ def _course(path):
     steps = [math.dist(a, b) for a, b in zip(points, points[1:])]
     along = [0.0, *itertools.accumulate(steps)]
     if along[-1] <= SPEED / RATE:
-        raise BadInput(f"{path}: expected a curve longer than {SPEED / RATE:.2g} m, found {along[-1]:.2g} m")
+        raise InputError(f"{path}: expected a curve longer than {SPEED / RATE:.2g} m, found {along[-1]:.2g} m")
     count = math.ceil(along[-1] / SPEED * RATE)
     if count > MOST_POINTS:
-        raise BadInput(f"{path}: expected a curve of {MOST_POINTS / RATE * SPEED:.0f} m at most, found {along[-1]:.3g} m; units are metres")
+        raise InputError(f"{path}: expected a curve of {MOST_POINTS / RATE * SPEED:.0f} m at most, found {along[-1]:.3g} m; units are metres")
     course, piece = [], 0
     for frame in range(count + 1):
         at = min(along[-1] * frame / count, along[-1])
@@ -112,9 +112,9 @@ def _points(path):
             if len(point) == 3 and all(map(math.isfinite, point)):
                 points.append(point)
             elif row and number > 1:
-                raise BadInput(f"{path}: line {number}: expected three numbers x,y,z, found {','.join(row)[:80]}")
+                raise InputError(f"{path}: line {number}: expected three numbers x,y,z, found {','.join(row)[:80]}")
     except csv.Error as error:
-        raise BadInput(f"{path}: expected rows x,y,z [m]: {error}") from error
+        raise InputError(f"{path}: expected rows x,y,z [m]: {error}") from error
     if len(points) < 2:
-        raise BadInput(f"{path}: expected rows x,y,z [m], two at least, found {len(points)}")
+        raise InputError(f"{path}: expected rows x,y,z [m], two at least, found {len(points)}")
     return points
