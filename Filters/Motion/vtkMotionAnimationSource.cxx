@@ -390,9 +390,9 @@ std::string vtkMotionAnimationSource::GetFlight() const
 
 void vtkMotionAnimationSource::HandOver(vtkAlgorithm* stage)
 {
-  if (auto* sliced = vtkSlicedPolyDataAlgorithm::SafeDownCast(stage))
+  if (auto* own = vtkKeptPolyDataAlgorithm::SafeDownCast(stage))
   {
-    this->Impl->HandOver(sliced->Kept());
+    this->Impl->HandOver(own->Kept());
   }
 }
 
@@ -401,9 +401,9 @@ void vtkMotionAnimationSource::GetReport(vtkTable* report) const
   this->Impl->FillReport(report);
 }
 
-std::string vtkMotionAnimationSource::SaveFlight(const std::string& request, bool isShown)
+std::string vtkMotionAnimationSource::SaveFlight(const std::string& request, int isShown)
 {
-  const waft::Result saved = this->Impl->Save(waft::FlightRequestFromJson(request), isShown);
+  const waft::Result saved = this->Impl->Save(waft::FlightRequestFromJson(request), isShown != 0);
   this->Impl->Fault = saved ? "" : waft::ToString(saved.Kind());
   return saved.Message();
 }

@@ -128,7 +128,7 @@ public:
   void SetFlight(const std::string& request);
   /** Writes a folder of the motion that there is, as waft::SaveFlight does; gives what went wrong,
    * or an empty text. */
-  std::string SaveFlight(const std::string& request, bool isShown);
+  std::string SaveFlight(const std::string& request, int isShown);
   /** Keeps the air of the flight in the user's cache, so that another source, as of a state of
    * ParaView that is loaded again, comes to the same motion without another simulation. */
   void KeepFlight();

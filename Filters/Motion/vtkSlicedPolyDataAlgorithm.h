@@ -14,21 +14,20 @@
 #define vtkSlicedPolyDataAlgorithm_h
 
 #include "WaftProperty.h"
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkKeptPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <string>
 
 namespace waft
 {
-class KeptStage;
 struct SliceOptions;
-} // namespace waft
+}
 
-class VTKWAFTFILTERS_EXPORT vtkSlicedPolyDataAlgorithm : public vtkPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkSlicedPolyDataAlgorithm : public vtkKeptPolyDataAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkSlicedPolyDataAlgorithm, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkSlicedPolyDataAlgorithm, vtkKeptPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   WaftSlices;
@@ -37,10 +36,7 @@ protected:
   vtkSlicedPolyDataAlgorithm();
   ~vtkSlicedPolyDataAlgorithm() override;
 
-  virtual waft::KeptStage& Kept() = 0;
-
 private:
-  friend class vtkMotionAnimationSource; // which hands its motion over
   friend struct waft::SliceOptions;
   vtkSlicedPolyDataAlgorithm(const vtkSlicedPolyDataAlgorithm&) = delete;
   void operator=(const vtkSlicedPolyDataAlgorithm&) = delete;

@@ -9,6 +9,7 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Chain/Motion.h"
 #include "Vortex/AirVortexFit.h"
 #include "Vortex/VortexFit.h"
 #include "Vortex/VortexSamples.h"
@@ -53,6 +54,8 @@ struct vtkVortexFitFilter::Internals : waft::KeptStage
   explicit Internals(vtkVortexFitFilter* self) : KeptStage(self, TracksPort), Self(self) {}
   waft::VortexFitOptions Options() const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  waft::Result Adopt(vtkInformationVector** inputs, const waft::Scene& scene,
+                     const waft::Motion& motion) override;
   void KeepForces(vtkPolyData* input, const std::vector<waft::Track>& tracks,
                   const std::vector<waft::Vortex>& fitted);
 };
@@ -116,6 +119,18 @@ waft::Result vtkVortexFitFilter::Internals::Run(vtkInformationVector** inputs,
   return result;
 }
 
+waft::Result vtkVortexFitFilter::Internals::Adopt(vtkInformationVector** inputs, const waft::Scene&,
+                                                  const waft::Motion& motion)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[TracksPort]);
+  std::vector<waft::Track> tracks;
+  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(input, tracks, "Input"));
+  WAFT_RETURN_IF_FAILED(waft::TakeAirAccelerations(this->Scene.Time, tracks));
+  waft::AirVortexFitToPolyData(motion.Fit, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
+  this->KeepForces(input, tracks, motion.Fit.Vortices);
+  return waft::Result::Ok();
+}
+
 void vtkVortexFitFilter::Internals::KeepForces(vtkPolyData* input,
                                                const std::vector<waft::Track>& tracks,
                                                const std::vector<waft::Vortex>& fitted)
@@ -153,6 +168,11 @@ vtkVortexFitFilter::~vtkVortexFitFilter() = default;
 double vtkVortexFitFilter::InRange(const char* property, double value)
 {
   return waft::InRange<waft::VortexFitOptions>(property, value);
+}
+
+waft::KeptStage& vtkVortexFitFilter::Kept()
+{
+  return *this->Impl;
 }
 
 int vtkVortexFitFilter::FillInputPortInformation(int port, vtkInformation* info)

@@ -26,7 +26,7 @@
 #define vtkVortexFitFilter_h
 
 #include "WaftProperty.h"
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkKeptPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -36,11 +36,11 @@ namespace waft
 struct VortexFitOptions;
 }
 
-class VTKWAFTFILTERS_EXPORT vtkVortexFitFilter : public vtkPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkVortexFitFilter : public vtkKeptPolyDataAlgorithm
 {
 public:
   static vtkVortexFitFilter* New();
-  vtkTypeMacro(vtkVortexFitFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkVortexFitFilter, vtkKeptPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum
@@ -84,6 +84,7 @@ protected:
   vtkVortexFitFilter();
   ~vtkVortexFitFilter() override;
 
+  waft::KeptStage& Kept() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                          vtkInformationVector* outputs) override;

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <csignal>
 #include <iterator>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,25 @@ void SetThreads(int given)
   vtkSMPTools::Initialize(threads);
 }
 
+waft::Result Act(const CommandLine& line, waft::Communicator* ranks, int& status,
+                 waft::SceneJson& answer)
+{
+  try
+  {
+    return line.Name == "synthesize" ? Synthesize(line, ranks, status, answer)
+           : line.Name == "check"    ? CheckScene(line, status, answer)
+                                     : MakeDatabase(line, ranks, status);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return waft::Result::Error("too little memory", waft::ErrorKind::Memory);
+  }
+  catch (const std::length_error&) // of a container, beyond any memory
+  {
+    return waft::Result::Error("expected an input that fits into memory, found one beyond any");
+  }
+}
+
 int CarryOut(CommandLine& line, waft::Communicator* ranks)
 {
   SetThreads(line.Threads);
@@ -63,9 +84,7 @@ int CarryOut(CommandLine& line, waft::Communicator* ranks)
              checks ? 0.0 : line.TimeLimit, end);
   int status = AllMet;
   waft::SceneJson answer = waft::SceneJson::object();
-  const waft::Result done = line.Name == "synthesize" ? Synthesize(line, ranks, status, answer)
-                            : checks                  ? CheckScene(line, status, answer)
-                                                      : MakeDatabase(line, ranks, status);
+  const waft::Result done = Act(line, ranks, status, answer);
   EndStopsBy("", 0.0, {});
   if (!done)
   {

@@ -68,7 +68,9 @@ void Team::Join()
   {
     ::unsetenv("TMPDIR"); // with which MPI would fail
   }
-  this->Impl->Controller->Initialize();
+  int count = 0;
+  char** words = nullptr;
+  this->Impl->Controller->Initialize(&count, &words, /*initializedExternally=*/0);
   vtkMultiProcessController::SetGlobalController(this->Impl->Controller);
   this->Impl->Ranks = std::make_unique<ControllerCommunicator>(this->Impl->Controller);
   known = this->Impl->Ranks->Size();

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -53,18 +54,17 @@ int main(int count, char** words)
   std::string lack = isGone
                        ? "the working folder is gone: expected to be called in one that is there"
                        : CheckPackage();
+  if (!IsOwn(command) && FindLaunch().Rank != 0) // it has nothing to divide
+  {
+    return 0;
+  }
   if (lack.empty() && command == "--version" && arguments.size() == 1)
   {
-    const bool isTold = std::printf("waft %s\n", waft::WaftVersion) > 0 && std::fflush(stdout) == 0;
-    return isTold ? 0 : 1;
-  }
-  if (lack.empty() && !IsOwn(command))
-  {
-    if (FindLaunch().Rank != 0) // it has nothing to divide
+    if (std::printf("waft %s\n", waft::WaftVersion) > 0 && std::fflush(stdout) == 0)
     {
       return 0;
     }
-    LeaveLauncher();
+    lack = std::string("stdout: could not be written: ") + std::strerror(errno);
   }
   if (lack.empty())
   {

@@ -316,7 +316,7 @@ QString SaveFlight(vtkSMProxy* source, const QString& folder)
     QJsonDocument(QJsonObject{ { "Output", folder } }).toJson(QJsonDocument::Compact);
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(source) << "SaveFlight"
-         << request.constData() << false << vtkClientServerStream::End;
+         << request.constData() << 0 << vtkClientServerStream::End;
   vtkSMSession* session = source->GetSession();
   session->ExecuteStream(vtkPVSession::DATA_SERVER, stream);
   const char* wrong = nullptr;

@@ -13,6 +13,7 @@
 #include "WaftMenu.h"
 #include "WaftNames.h"
 #include "WaftPace.h"
+#include "WaftPanel.h"
 #include "WaftRemarks.h"
 #include "WaftStages.h"
 #include "WaftVerdict.h"
@@ -181,6 +182,7 @@ void WaftToolBar::MoveDown()
     window->menuBar()->insertMenu(help, this->Fly->Menu());
     waft::NameInMenus(window);
     WaftBrowser::PutInto(window);
+    waft::FitPanel(window);
   }
 }
 

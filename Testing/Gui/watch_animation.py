@@ -2,12 +2,15 @@
 """Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; notes, a
 line a change, which of its outputs are to be seen, as what, what stands in the pipeline browser, where the names of its
 outputs end, and its open eyes."""
+import os
+
 import screen
 from paraview import simple
 from watching import SCENE, animation_of_the_menu, has_bodies, is_in_the_air, view, wait_until, watch, write_change
 
 import waft
 
+os.mkdir(os.path.join(os.path.dirname(SCENE), "flight"))  # that its flight is saved to
 EYES, NAMES = (0, 160, 30, 640), (66, 160, 284, 640)  # of outputs, the part of the screen that has them
 
 scene = waft.Scene(seed=5)

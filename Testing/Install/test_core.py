@@ -78,7 +78,7 @@ class CoreTest(unittest.TestCase):
             file.write("cmake_minimum_required(VERSION 3.18)\nproject(Other LANGUAGES C CXX)\nfind_package(Waft REQUIRED COMPONENTS Cor)\n")
         status, text = configure(source, os.path.join(source, "build"))
         self.assertNotEqual(status, 0)
-        self.assertIn("or Core, found: Cor", " ".join(text.split()))
+        self.assertIn("Core or Run, found: Cor", " ".join(text.split()))
 
     def test_the_page_shows_this_program(self):
         with open(os.path.join(SOURCE, "Documentation", "Core.md"), encoding="utf-8") as file:

@@ -3,16 +3,15 @@
 
     pvpython run.py test_examples.py SOURCE"""
 
-import contextlib
-import io
 import pathlib
 import runpy
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
 
-from waft import cli
+from waft.loading import command
 
 SOURCE = pathlib.Path(sys.argv[1])
 EXAMPLES = SOURCE / "Data" / "Scenes" / "examples"
@@ -39,9 +38,8 @@ class ExamplesTest(unittest.TestCase):
         self.assertEqual(len(scenes), 6)
         for scene in scenes:
             with self.subTest(scene=scene.name):
-                said = io.StringIO()
-                with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-                    self.assertEqual(cli.main(["check", str(scene)]), 0, said.getvalue())
-                self.assertIn("0 of them cannot be met", said.getvalue())
+                done = subprocess.run([command(), "check", scene], capture_output=True, text=True, check=False)
+                self.assertEqual(0, done.returncode, done.stderr)
+                self.assertIn("0 of them cannot be met", done.stdout)
                 name = scene.name.split(".")[0]
                 self.assertIn(f"{name}.waft.json", (SOURCE / "Documentation" / "examples" / f"{name}.md").read_text())

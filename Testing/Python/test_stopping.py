@@ -81,9 +81,9 @@ class Stopping(unittest.TestCase):
             time.sleep(0.02)
         raise self.failureException(f"it started no {name}")
 
-    def test_while_paraview_starts(self):
+    def test_while_it_starts(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
-            for seconds in (0.2, 0.7):
+            for seconds in (0.02, 0.06):
                 with self.subTest(number=number, seconds=seconds):
                     self.expect_seen(*self.stop_after(self.synthesize(MEDIUM), seconds, number))
 
@@ -142,11 +142,28 @@ class Stopping(unittest.TestCase):
             time.sleep(0.02)
         self.assertEqual(0, process.returncode, process.stderr.read())
 
-    def test_that_the_system_killed_says_so(self):
-        process = subprocess.Popen([*map(str, self.synthesize(MEDIUM))], stderr=subprocess.PIPE, text=True)
+    def test_by_a_second_interrupt_at_once(self):
+        out = self.folder / "out"
+        process = subprocess.Popen([*map(str, self.synthesize(LONG))], stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.kill)
-        os.kill(self.find_child(process.pid, "python3"), signal.SIGKILL)
+        while not (out / "checkpoint").is_dir():
+            self.assertIsNone(process.poll())
+            time.sleep(0.02)
+        process.send_signal(signal.SIGTERM)
+        for _ in range(2):
+            process.send_signal(signal.SIGINT)
+            time.sleep(0.02)
+        _, said = process.communicate(timeout=30.0)
+        self.assertEqual((-signal.SIGINT, ""), (process.returncode, said))
+        self.assertFalse((out / "report.json").exists())
+
+    def test_that_the_system_killed_says_so(self):
+        """Of a command that Python carries out, in a process that is watched."""
+        process = subprocess.Popen([WAFT, "demo", "--output", self.folder / "demo"], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.kill)
+        os.kill(self.find_child(process.pid, "pvpython"), signal.SIGKILL)
         _, said = process.communicate(timeout=30.0)
         self.assertEqual((-signal.SIGKILL, "waft: ended by SIGKILL, as systems do when memory runs out\n"),
                          (process.returncode, said))

@@ -116,16 +116,15 @@ class Takes(unittest.TestCase):
 
     def test_a_take_that_the_system_killed_has_its_row(self):
         self.write({**SCENE, "time": {"frames": 3001}})
-        with subprocess.Popen(self.command("1"), cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                              env={**os.environ, "MARK": str(self.folder)}) as flown:
+        with subprocess.Popen(self.command("1"), cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as flown:
             while not list(self.folder.glob("out/take-0001/checkpoint")):
                 self.assertIsNone(flown.poll())
                 time.sleep(0.02)
-            for comm in pathlib.Path("/proc").glob("[0-9]*/comm"):
+            for line in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
                 with contextlib.suppress(OSError):
-                    variables = (comm.parent / "environ").read_bytes()
-                    if b"WAFT_ARGUMENTS" in variables and str(self.folder).encode() in variables:
-                        os.kill(int(comm.parent.name), signal.SIGKILL)
+                    words = line.read_bytes().split(b"\0")
+                    if b"synthesize" in words and str(self.folder.resolve() / "out" / "take-0001").encode() in words:
+                        os.kill(int(line.parent.name), signal.SIGKILL)
             said = flown.communicate()[1]
         self.assertEqual(1, flown.returncode, said)
         self.assertEqual("failed", self.rows()[1]["outcome"])

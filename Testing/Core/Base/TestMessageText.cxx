@@ -26,7 +26,7 @@ TEST(MessageText, MarksBytesThatAreNoCharacter)
   EXPECT_EQ(MessageText("\xED\xA0\x80"), mark + mark + mark);            // a surrogate
   EXPECT_EQ(MessageText("\xF4\x90\x80\x80"), mark + mark + mark + mark); // beyond the last
   EXPECT_EQ(MessageText(std::string("a\0\x1B\x7Fz", 5)), "a\\x00\\x1b\\x7fz");
-  EXPECT_EQ(MessageText("a\xC2\x85\xE2\x80\xAE\xEF\xBF\xBFz"), "a\\x00\\x1b\\x7fz");
+  EXPECT_EQ(MessageText("a\xC2\x85\xE2\x80\xAE\xEF\xBF\xBFz"), "a\\x85\\u202e\\uffffz");
 }
 
 TEST(MessageText, LosesTheMiddleOfALongText)

@@ -427,5 +427,5 @@ TEST(WriteScene, NamesWhatCannotBeWritten)
          "expected at most 1000 winds, found 1001");
   expect(why([](Scene& s) { s.Title = "a\x01"; }), "title: expected a name without control");
   expect(why([](Scene& s) { s.Shapes[0].Name = "a\u202eb"; }),
-         "Shapes: block a b: expected a name");
+         "Shapes: block a\\u202eb: expected a name");
 }
