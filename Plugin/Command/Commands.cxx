@@ -222,6 +222,16 @@ public:
   }
 
   CLI::App& App() { return this->Main; }
+  /// Of --quality and --preview the last counts: values are taken in the order of the table.
+  void TakeQuality(const CLI::App& command)
+  {
+    for (const CLI::Option* option : command.parse_order())
+    {
+      this->Line.QualityName = option == this->Preview   ? "preview"
+                               : option == this->Quality ? QualityOf(option->results().back())
+                                                         : this->Line.QualityName;
+    }
+  }
   CLI::App* CommandOf(const std::string& name)
   {
     const auto found = this->Own.find(name);
@@ -263,12 +273,13 @@ private:
     this->Fields[option] = field;
     return option;
   }
-  void Flag(CLI::App& command, const std::string& flags, const std::string& help,
-            const std::function<void()>& take, const std::string& field = "")
+  CLI::Option* Flag(CLI::App& command, const std::string& flags, const std::string& help,
+                    const std::function<void()>& take, const std::string& field = "")
   {
     CLI::Option* option = command.add_flag_callback(flags, take, help);
-    option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->disable_flag_override();
     this->Fields[option] = field;
+    return option;
   }
   void Common(CLI::App& command, bool answers)
   {
@@ -317,6 +328,7 @@ private:
   CommandLine& Line;
   CLI::App Main;
   std::map<std::string, CLI::App*> Own;
+  CLI::Option *Quality = nullptr, *Preview = nullptr;
   std::map<const CLI::Option*, std::string> Fields;
   std::map<const CLI::Option*, std::vector<std::string>> Choices;
 };
@@ -345,16 +357,14 @@ void Parser::AddSynthesize()
     [&flight](const std::string& text)
     { flight.Options.Optimiser.MemoryLimit = std::strtod(text.c_str(), nullptr); },
     "memory_limit");
-  CLI::Option* quality = this->Value(
+  this->Quality = this->Value(
     make, "--quality", "{" + CLI::detail::join(QualityNames(), ",") + "}",
     "how objects come to their marks: " + Listed(QualityNames()) +
       " (default full); air was called assimilated before, which names it still",
-    CheckQuality, [this](const std::string& text) { this->Line.QualityName = QualityOf(text); },
-    "quality");
-  this->Choices[quality] = QualityNames();
-  this->Flag(
-    make, "--preview", "quality preview: coarse, for a quick look",
-    [this] { this->Line.QualityName = "preview"; }, "preview");
+    CheckQuality, [](const std::string&) {}, "quality"); // TakeQuality does
+  this->Choices[this->Quality] = QualityNames();
+  this->Preview = this->Flag(
+    make, "--preview", "quality preview: coarse, for a quick look", [] {}, "preview");
   this->Flag(
     make, "--resume",
     "go on from what an earlier run of the same inputs left in the output, to the same "
@@ -494,10 +504,30 @@ bool TakesValue(const CLI::Option& option)
   return option.get_expected_max() > 0 && !option.get_type_name().empty();
 }
 
-std::string Usage(const CLI::App& command)
+/// Words with spaces between, in lines of at most 110 letters.
+std::vector<std::string> Wrapped(const std::vector<std::string>& words, std::size_t indent)
 {
-  std::string text = "usage: waft " + command.get_name();
-  std::string places;
+  constexpr std::size_t widest = 110;
+  std::vector<std::string> lines = { "" };
+  for (const std::string& word : words)
+  {
+    std::string& last = lines.back();
+    const std::size_t width = (lines.size() == 1 ? indent : 0) + last.size();
+    if (width + word.size() + 1 > widest)
+    {
+      lines.push_back(std::string(indent, ' ') + word);
+    }
+    else
+    {
+      last += (last.empty() ? "" : " ") + word;
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> Usage(const CLI::App& command)
+{
+  std::vector<std::string> words, places;
   for (const CLI::Option* option : OptionsOf(command))
   {
     const std::vector<std::string> flags = FlagsOf(*option);
@@ -505,19 +535,32 @@ std::string Usage(const CLI::App& command)
                             (TakesValue(*option) ? " " + option->get_type_name() : "");
     if (option->get_positional())
     {
-      places += " " + option->get_name(true);
+      places.push_back(option->get_name(true));
     }
     else
     {
-      text += option->get_required() ? " " + own : " [" + own + "]";
+      words.push_back(option->get_required() ? own : "[" + own + "]");
     }
   }
-  return text + places;
+  words.insert(words.end(), places.begin(), places.end());
+  const std::string head = "usage: waft " + command.get_name() + " ";
+  std::vector<std::string> lines = Wrapped(words, head.size());
+  lines.front().insert(0, head);
+  return lines;
 }
 
 std::string Help(const CLI::App& command)
 {
-  std::string text = Usage(command) + "\n\n" + command.get_description() + "\n\n";
+  std::string text;
+  const auto add = [&text](const std::vector<std::string>& lines)
+  {
+    for (const std::string& line : lines)
+    {
+      text += line + "\n";
+    }
+  };
+  add(Usage(command));
+  text += "\n" + command.get_description() + "\n\n";
   constexpr std::size_t column = 26;
   for (const CLI::Option* option : OptionsOf(command))
   {
@@ -526,25 +569,17 @@ std::string Help(const CLI::App& command)
     own += !option->get_positional() && TakesValue(*option) ? " " + option->get_type_name() : "";
     text += own + (own.size() + 2 > column ? "\n" + std::string(column, ' ')
                                            : std::string(column - own.size(), ' '));
-    std::size_t width = column; // of the line so far
-    for (const std::string& word : CLI::detail::split(option->get_description(), ' '))
-    {
-      if (width + word.size() + 1 > 110)
-      {
-        text += "\n" + std::string(column, ' ');
-        width = column;
-      }
-      text += (width > column ? " " : "") + word;
-      width += word.size() + 1;
-    }
-    text += "\n";
+    add(Wrapped(CLI::detail::split(option->get_description(), ' '), column));
   }
-  return text + "\n" + command.get_footer() + "\n";
+  return text + "\n" + command.get_footer();
 }
 
 int Refuse(const CLI::App& command, const std::string& words)
 {
-  Say(Usage(command), Message::Error);
+  for (const std::string& line : Usage(command))
+  {
+    Say(line, Message::Error);
+  }
   Say("waft " + command.get_name() + ": error: " + Shortened(words), Message::Error);
   return Malformed;
 }
@@ -562,10 +597,11 @@ CommandLine Parse(const std::vector<std::string>& arguments, int& status)
   {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     parser.App().parse(reversed);
+    parser.TakeQuality(command);
   }
   catch (const CLI::CallForHelp&)
   {
-    Tell(Help(command).substr(0, Help(command).size() - 1));
+    Tell(Help(command));
     status = AllMet;
     return line;
   }

@@ -58,7 +58,7 @@ def in_child(case, arguments, folder, said):
         for limit, value in limits.items():
             resource.setrlimit(limit, (value, value + 5 if limit == resource.RLIMIT_CPU else value))
         if case.act is None:
-            if arguments[0] in warm.OWN:
+            if arguments and arguments[0] in warm.OWN:
                 os.execv(loading.command(), ["waft", *map(os.fsencode, arguments)])
             return cli.main(arguments)
         wrong = case.act()

@@ -330,6 +330,11 @@ Result Flying::Run()
   {
     return Result::Error(this->Request.Scene + ": " + flown.Message(), flown.Kind());
   }
+  if (!flown && !this->Request.Database.empty() &&
+      flown.Message().rfind("motion database: ", 0) == 0)
+  {
+    return Result::Error(this->Request.Database + ": " + flown.Message(), flown.Kind());
+  }
   WAFT_RETURN_IF_FAILED(flown);
   this->Record.IsHurried = this->Watch.IsAsked;
   this->Record.IsStopped = this->Made.IsStopped || this->Watch.IsAsked;

@@ -49,6 +49,6 @@ def run_demo(folder, threads=None):
 def _fly(scene, output, threads):
     """The status of `waft synthesize`, which has the stops that come meanwhile."""
     child = start([command(), "synthesize", scene, "--output", str(output), *([] if threads is None else ["--threads", str(threads)])],
-                  env={**os.environ, "WAFT_DEFAULTS": "off"})
+                  env={**os.environ, "WAFT_DEFAULTS": "off"}, start_new_session=True)  # where a stop of the terminal comes to it once
     with passed_on(child):
         return child.wait()

@@ -157,7 +157,7 @@ class Engine:
         kind = _FAULTS.get(json.loads(self.algorithm.GetFlight())["fault"], InputError)
         if kind is Interrupted and clock is not None:
             clock.hand_on()
-        raise kind(f"{self.database_file}: {words}" if words.startswith("motion database: ") else words)
+        raise kind(words)
 
     def save(self, folder, is_shown=False):
         """Writes the folder of the flight."""

@@ -41,7 +41,8 @@ def fly_when_saved(scene, output, arguments):
 
 def _fly(arguments):
     """The status of `waft synthesize`, which has the stops that come meanwhile."""
-    child = start([command(), "synthesize", *arguments, "--preview"])
+    # Of a session of its own: a stop of the terminal comes to it once.
+    child = start([command(), "synthesize", *arguments, "--preview"], start_new_session=True)
     with passed_on(child):
         return child.wait()
 
