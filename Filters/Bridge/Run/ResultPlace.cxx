@@ -297,7 +297,12 @@ Result ResultPlace::TryToLock(bool& isBusy)
     return Result::Error(this->Own.Root + ": " + failure.message() + "; expected a folder");
   }
   FolderBelow folder, room;
-  WAFT_RETURN_IF_FAILED(folder.Open(this->Own.Root));
+  const Result opened = folder.Open(this->Own.Root);
+  if (!opened && !fs::exists(this->Own.Root, failure))
+  {
+    return Result::Ok();
+  }
+  WAFT_RETURN_IF_FAILED(opened);
   if (!this->Own.Room.empty())
   {
     WAFT_RETURN_IF_FAILED(folder.MakeFolder(this->Own.Room));
