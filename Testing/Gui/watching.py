@@ -17,7 +17,6 @@ LOOK = 50                             # ms
 log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
 view = simple.GetActiveViewOrCreate("RenderView")
 _last = None
-_stood = 0.0
 # Of the Qt that ParaView has, whichever it is; its Python has no binding of it.
 _let_events_come = ctypes.CDLL(None)["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
 
@@ -35,16 +34,6 @@ def write_change(line):
         write(line)
 
 
-def stood():
-    """The longest that the window has stood, between two looks or while events came, s."""
-    return _stood
-
-
-def _note_from(began):
-    global _stood
-    _stood = max(_stood, time.monotonic() - began)
-
-
 def end(status=0):
     """At once: ParaView's own way out asks whether to save."""
     log.flush()
@@ -53,15 +42,14 @@ def end(status=0):
 
 def watch(look, between=LOOK, ends=False):
     """Calls `look` as long as ParaView runs, one call at a time; with `ends` it is one that ends ParaView, and has a deadline."""
-    began = ended = time.monotonic()
+    began = time.monotonic()
     is_busy = False
 
     def tick(*_):
-        nonlocal is_busy, ended
+        nonlocal is_busy
         if is_busy:
             return
         is_busy = True
-        _note_from(ended)
         try:
             look()
             if ends and time.monotonic() - began > DEADLINE:
@@ -70,7 +58,6 @@ def watch(look, between=LOOK, ends=False):
             traceback.print_exc()
             end(1)
         is_busy = False
-        ended = time.monotonic()
 
     interactor = view.GetInteractor()
     interactor.AddObserver("TimerEvent", tick)
@@ -83,9 +70,7 @@ def wait_until(condition):
     while not condition():
         if time.monotonic() - began > DEADLINE:
             raise TimeoutError(f"expected an end of what is waited for within {DEADLINE:g} s")
-        passed = time.monotonic()
         _let_events_come(0)
-        _note_from(passed)
         time.sleep(0.01)
 
 

@@ -12,12 +12,6 @@ from waft import messages
 _UNSEEN = re.compile("[\0-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff\ufff9-\ufffb\ufffe\uffff\ud800-\udfff]")
 _FORMULA = re.compile(r"[=+\-@\t\r]")
 
-ROWS = "row N is entry N of `constraints` in the scene file, counted from 0; target N is the Nth of its places"
-
-
-def names_a_row(text):
-    return re.search(r"\brow \d", text) is not None
-
 
 def line(text):
     """A text as one line that looks like what it is: what cannot be seen is written as an escape, such as \\n or \\u202e."""
