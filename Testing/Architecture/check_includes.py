@@ -76,7 +76,7 @@ FILE_MODULES = {"io": {"open"}, "os": {"open", "remove", "removedirs", "rename",
 # Modules of the package waft that read results, and what the accessors (_arrays, _records, _tables) do for them.
 RESULT_READERS = {"results._folder", "page._pagedata", "measuring._runs", "measuring._airfield", "measuring._meshcuts", "render._flyers", "results.exporting",
                   "page.writing", "measuring.rows", "run.takes"}
-BARE_CALLS = {"GetArray", "GetAbstractArray", "GetTuple3", "vtk_to_numpy", "loads", "DictReader", "found_json"}
+BARE_CALLS = {"GetArray", "GetAbstractArray", "GetTuple3", "vtk_to_numpy", "loads", "DictReader"}
 CLASS = re.compile(r"(?:class|struct)\s+(?:alignas\(\w+\)\s+|\w+_EXPORT\s+)?(\w+)(?!\w|\s*;|::)")
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^">]+)[">]')
 

@@ -126,14 +126,6 @@ def read_json(path, most=MOST_TEXT, what="a file of JSON", parse_constant=None):
     return json_of(read_text(path, most, what), path, parse_constant)
 
 
-def found_json(path):
-    """What a file of JSON holds; None where there is none that can be read."""
-    try:
-        return read_json(path)
-    except InputError:
-        return None
-
-
 def read_rows(path, most=MOST_TEXT, what="a table"):
     """The rows of a .csv."""
     return rows_of(read_text(path, most, what), path, what)
