@@ -214,13 +214,6 @@ class ResultPlace:
             for folder in ([self.room] if self.room != self.root else []) + self._made:
                 folder.rmdir()
 
-    def look(self, names):
-        """Raises what enter and check() would, and makes nothing."""
-        check_folder(self.root)
-        if self.root.is_dir():
-            with self:
-                self.check(names)
-
     def settle(self):
         """Finishes a change of results that was cut short where they are to be read; one that goes on there is waited for."""
         end = time.monotonic() + _PATIENCE
@@ -284,15 +277,6 @@ class ResultPlace:
         staged = f"{self._stage()}/new/{name}"
         self._room.make_folder(os.path.dirname(staged))
         return self.room / staged
-
-    def apart(self, name):
-        """The path of a new folder that is none of the results; put() gives it its place below root."""
-        self._room.make_folder(f"{self._stage()}/{name}")
-        return self.room / self._staging / name
-
-    def put(self, name):
-        """Raises FileExistsError where something has the name."""
-        self._room.move(f"{self._staging}/{name}", self.folder, name)
 
     def commit(self, content, names=None):
         """The files at the paths that were given take the place of those of the earlier run, all or none. content: what the seal is to
