@@ -424,17 +424,22 @@ Result CheckRegular(const Descriptor& file, const std::string& path)
 
 } // namespace
 
-Result FolderBelow::Read(const std::string& name, std::string& bytes) const
+Result FolderBelow::OpenRegular(const std::string& name, Descriptor& file) const
 {
-  bytes.clear();
-  Descriptor file;
   bool isMissing = false;
   WAFT_RETURN_IF_FAILED(this->OpenName(name, Look, "a file", file, isMissing));
   if (isMissing)
   {
     return this->Missing(name, "a file");
   }
-  WAFT_RETURN_IF_FAILED(CheckRegular(file, this->PathOf(name)));
+  return CheckRegular(file, this->PathOf(name));
+}
+
+Result FolderBelow::Read(const std::string& name, std::string& bytes) const
+{
+  bytes.clear();
+  Descriptor file;
+  WAFT_RETURN_IF_FAILED(this->OpenRegular(name, file));
   const int reason = ReadPieces(file.Get(),
                                 [&](const char* piece, std::size_t size)
                                 {
@@ -449,13 +454,7 @@ Result FolderBelow::Read(const std::string& name, std::string& bytes) const
 Result FolderBelow::DigestOf(const std::string& name, FileDigest& digest) const
 {
   Descriptor file;
-  bool isMissing = false;
-  WAFT_RETURN_IF_FAILED(this->OpenName(name, Look, "a file", file, isMissing));
-  if (isMissing)
-  {
-    return this->Missing(name, "a file");
-  }
-  WAFT_RETURN_IF_FAILED(CheckRegular(file, this->PathOf(name)));
+  WAFT_RETURN_IF_FAILED(this->OpenRegular(name, file));
   Sha256Sum sum;
   digest.Size = 0;
   const int reason = ReadPieces(file.Get(),

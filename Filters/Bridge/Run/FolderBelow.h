@@ -102,6 +102,7 @@ public:
 private:
   Result OpenName(const std::string& name, int flags, const std::string& what, Descriptor& file,
                   bool& isMissing, unsigned mode = 0) const;
+  Result OpenRegular(const std::string& name, Descriptor& file) const;
   /// The folder that a name is in, and the name's last part.
   Result At(const std::string& name, Descriptor& folder, std::string& last, bool& isMissing) const;
   Result Missing(const std::string& name, const std::string& what) const;
