@@ -15,7 +15,6 @@
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Chain/Motion.h"
 #include "Spacetime/Run/Spacetime.h"
-#include "Spacetime/Run/SpacetimeWarmStart.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -65,7 +64,6 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
 {
   vtkSPHSpacetimeFilter* Self;
   waft::SpacetimeOutput Solution;
-  waft::SpacetimeWarmStart Memory; // of the last run, for the next
 
   explicit Internals(vtkSPHSpacetimeFilter* self) :
     KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort, AirPort), Self(self)
@@ -78,7 +76,6 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
   void Publish() override;
-  void Forget() override { this->Memory = waft::SpacetimeWarmStart(); }
   void Clear() override { this->Solution = waft::SpacetimeOutput(); }
   waft::Result PublishFrom(vtkInformationVector** inputs) override;
   bool IsActive() const override { return this->Self->Active; }
@@ -127,8 +124,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   const auto solve = [&]
   {
     const auto options = waft::OptionsOf<waft::SpacetimeOptions>(*this->Self);
-    return waft::RunSpacetime(input, options, waft::SmpFor(), monitor, this->Solution,
-                              &this->Memory);
+    return waft::RunSpacetime(input, options, waft::SmpFor(), monitor, this->Solution);
   };
   WAFT_RETURN_IF_FAILED(waft::ResultOfFirst(ranks, solve));
   // A rank that was given the scene gets the result, too, when all were.
@@ -235,7 +231,6 @@ void vtkSPHSpacetimeFilter::Continue()
 
 void vtkSPHSpacetimeFilter::Restart()
 {
-  this->Impl->Memory = waft::SpacetimeWarmStart();
   this->Modified();
 }
 

@@ -27,7 +27,7 @@
  * unknowns of one cost E = c1 Ex + c2 Ev + c3 Ec (Eq. 2), under hard constraints; wind and vortices
  * are estimated in alternation with it. E never grows within a stage. The result is the same, bit
  * by bit, on any number of threads. Stopped half way or by TimeLimit, it gives the best motion so
- * far, and the next run goes on from there.
+ * far; the next run begins with the tracks.
  *
  * Of several MPI processes (ranks) rank 0 solves, with its threads, and the others wait for it: all
  * must update the filter together. Inputs and properties of rank 0 hold, and its outputs hold the
@@ -100,10 +100,11 @@ public:
   WaftWrittenFile(CheckpointFile);
   WaftProperty(double, CheckpointInterval);
 
-  /** Solve on: the next update goes on from where the last one ended although nothing changed. */
+  ///@{
+  /** The next update solves from the tracks, although nothing changed, as after a stop. */
   void Continue();
-  /** Forget the last run: the next update starts from the planned tracks. */
   void Restart();
+  ///@}
 
   ///@{
   /** The processes that wait for the first to solve; the global controller, unless set. Null: this

@@ -344,14 +344,12 @@ void KeptStage::Discard()
   if (this->Held.HasWork())
   {
     this->Held.Discard();
-    this->Forget();
   }
 }
 
 void KeptStage::LetGo()
 {
   this->Held.Discard();
-  this->Forget();
   this->Keep.clear();
   this->Clear();
   this->Cache.Forget();

@@ -100,8 +100,6 @@ protected:
   virtual void KeepBeforeFailure() {}
   /// Publish, out of inputs that are not complete; stays empty where it fails.
   virtual Result PublishFrom(vtkInformationVector** inputs);
-  /// After work that was held was discarded: what comes must not depend on how far it had come.
-  virtual void Forget() {}
   /// Lets go of what it keeps beside the Kept outputs.
   virtual void Clear() {}
   /// FillVarying, of what there is so far.

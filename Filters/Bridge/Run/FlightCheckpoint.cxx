@@ -27,8 +27,8 @@ namespace
 
 constexpr const char* PlanFiles[] = { "planned.vtp", "constraints.vtp", "vortices.vtp" };
 constexpr const char* KeyFile = "key";
-// Of the optimiser; of the assimilation on its way, and when it is done.
-constexpr const char* States[] = { "spacetime.state", "assimilation.state", "assimilated.state" };
+// Of the assimilation on its way, and when it is done.
+constexpr const char* States[] = { "assimilation.state", "assimilated.state" };
 constexpr const char* NotFound = "no stopped run of this scene, seed and version";
 
 /// One of a run's own names, or of a state that is being written.

@@ -268,7 +268,6 @@ Result Flying::Prepare()
   const std::string folder = this->Checkpoint->Folder();
   this->Options.Air.CheckpointFile = folder + "/assimilation.state";
   this->Options.Air.StateFile = this->Checkpoint->AirFile();
-  this->Options.Optimiser.CheckpointFile = folder + "/spacetime.state";
   if (this->Request.Resumes)
   {
     std::string lack;

@@ -330,7 +330,6 @@ Result Chain::Optimise(Monitor& monitor)
     input.Vortices.insert(input.Vortices.end(), planned.begin(), planned.end());
   }
   SpacetimeOptions motion = this->Options.Optimiser; // likewise
-  motion.CheckpointFile.clear();
   motion.TimeLimit = 0.0;
   if (this->IsKept(ChainStage::Spacetime, input, motion))
   {
@@ -343,8 +342,7 @@ Result Chain::Optimise(Monitor& monitor)
   }
   SpacetimeOptions options = this->Options.Optimiser;
   this->LimitTime(options.TimeLimit);
-  const Result result = RunSpacetime(input, options, this->Parallel, monitor, this->Made.Optimised,
-                                     &this->Memory.Optimiser);
+  const Result result = RunSpacetime(input, options, this->Parallel, monitor, this->Made.Optimised);
   this->Made.Warnings[ChainStage::Spacetime] = this->Made.Optimised.Warnings;
   return result;
 }
@@ -440,9 +438,7 @@ std::string DigestOfRun(const Scene& scene, const SceneWind& wind, const ChainOp
 {
   ChainOptions own = options;
   own.Air.CheckpointFile = own.Air.StateFile = own.Air.EditOf = std::string();
-  own.Optimiser.CheckpointFile = std::string();
   own.Air.TimeLimit = own.Optimiser.TimeLimit = own.Optimiser.MemoryLimit = 0.0;
-  own.Optimiser.CheckpointInterval = 0.0;
   const MotionProblem problem{ scene.Info,
                                {},
                                scene.Objects,

@@ -17,7 +17,6 @@
 #include "Chain/ChainScene.h"
 #include "Chain/Motion.h"
 #include "Planning/PlanCache.h"
-#include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "Trajectory/MotionDatabase.h"
 
 #include <cstdint>
@@ -49,7 +48,6 @@ struct ChainMemory
   std::map<ChainStage, std::uint64_t> Keys; // digests of what the outputs in a Motion were made of
   PlanCache Plans;
   AssimilationState Air;
-  SpacetimeWarmStart Optimiser;
 };
 
 /// Runs the stages of a quality up to StopAfter. motion: empty, or what the last run with the same

@@ -50,13 +50,12 @@ void NeighbourList::Build(const SphKernelTable& kernels, std::size_t n, std::siz
 {
   const float* points[3] = { x, y, z };
   this->Count = n;
-  auto reference = std::make_shared<std::vector<float>>();
-  reference->reserve(3 * n);
+  this->Reference.clear();
+  this->Reference.reserve(3 * n);
   for (const float* row : points)
   {
-    reference->insert(reference->end(), row, row + n);
+    this->Reference.insert(this->Reference.end(), row, row + n);
   }
-  this->Now.Reference = std::move(reference);
   const CellGrid grid = MakeGrid(n, points, reach);
   const std::size_t cells = static_cast<std::size_t>(grid.Size[0]) * grid.Size[1] * grid.Size[2];
 
@@ -150,29 +149,21 @@ void NeighbourList::Update(const SphKernelTable& kernels, std::size_t n, std::si
   constexpr int ManyUses = 15;
   constexpr float NarrowestSkin = 0.1f;
   constexpr float WidestSkin = 0.5f;
-  NeighbourCourse& now = this->Now;
-  if (this->IsRestored && now.Reference && now.Reference->size() == 3 * n)
+  if (!this->IsStale(x, y, z, 0.5f * this->Skin))
   {
-    const auto at = now.Reference; // which Build replaces
-    this->Build(kernels, n, numberOfGas, at->data(), at->data() + n, at->data() + 2 * n,
-                support + now.Skin, scratch);
-  }
-  this->IsRestored = false;
-  if (!this->IsStale(x, y, z, 0.5f * now.Skin))
-  {
-    ++now.Uses;
+    ++this->Uses;
     return;
   }
-  if (this->Count > 0 && now.Uses < FewUses)
+  if (this->Count > 0 && this->Uses < FewUses)
   {
-    now.Skin = std::min(WidestSkin, 1.4f * now.Skin);
+    this->Skin = std::min(WidestSkin, 1.4f * this->Skin);
   }
-  else if (now.Uses > ManyUses)
+  else if (this->Uses > ManyUses)
   {
-    now.Skin = std::max(NarrowestSkin, 0.8f * now.Skin);
+    this->Skin = std::max(NarrowestSkin, 0.8f * this->Skin);
   }
-  now.Uses = 0;
-  this->Build(kernels, n, numberOfGas, x, y, z, support + now.Skin, scratch);
+  this->Uses = 0;
+  this->Build(kernels, n, numberOfGas, x, y, z, support + this->Skin, scratch);
 }
 
 bool NeighbourList::IsStale(const float* x, const float* y, const float* z, float distance) const
@@ -182,7 +173,7 @@ bool NeighbourList::IsStale(const float* x, const float* y, const float* z, floa
   {
     return true;
   }
-  const float* rx = this->Now.Reference->data();
+  const float* rx = this->Reference.data();
   const float* ry = rx + n;
   const float* rz = ry + n;
   float largest = 0.0f;
@@ -195,27 +186,6 @@ bool NeighbourList::IsStale(const float* x, const float* y, const float* z, floa
     largest = largest > d2 ? largest : d2;
   }
   return !(largest <= distance * distance);
-}
-
-void NeighbourList::Restore(NeighbourCourse course)
-{
-  this->Now = std::move(course);
-  this->Count = 0;
-  this->IsRestored = this->Now.Reference != nullptr;
-}
-
-void NeighbourList::Serialise(StateArchive& stream)
-{
-  NeighbourCourse course = this->Now;
-  std::vector<float> reference = course.Reference ? *course.Reference : std::vector<float>();
-  stream.Values(course.Skin, course.Uses, reference);
-  if (stream.IsReading())
-  {
-    course.Reference = reference.empty()
-                         ? nullptr
-                         : std::make_shared<const std::vector<float>>(std::move(reference));
-    this->Restore(std::move(course));
-  }
 }
 
 SphNeighbours NeighbourList::View() const

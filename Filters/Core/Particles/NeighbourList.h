@@ -2,12 +2,10 @@
 // Verlet lists with a skin: valid until a particle has moved half the skin.
 #pragma once
 
-#include "Base/StateArchive.h"
 #include "Particles/SphKernels.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace waft
@@ -18,15 +16,6 @@ struct NeighbourScratch
 {
   std::vector<std::uint32_t> CellStarts, CellOf, Next, Found;
   std::vector<float> X, Y, Z;
-};
-
-/// What decides which entries a list has, in which order, and when they are built anew. A copy
-/// costs nothing: the positions are shared until the next construction.
-struct NeighbourCourse
-{
-  float Skin = 0.2f;                                   // [dx]
-  int Uses = 0;                                        // calls of Update since Build
-  std::shared_ptr<const std::vector<float>> Reference; // positions at Build, three rows; null: none
 };
 
 /// Neighbour lists of one frame, each pair once: a pair of gas particles is listed at one of the
@@ -48,12 +37,6 @@ public:
   /// True when a particle has moved farther than `distance` since Build, or nothing was built.
   bool IsStale(const float* x, const float* y, const float* z, float distance) const;
 
-  const NeighbourCourse& Course() const { return this->Now; }
-  /// The next Update builds the entries as they were, and goes on from there.
-  void Restore(NeighbourCourse course);
-  /// Writes the course, or reads one back and restores it.
-  void Serialise(StateArchive& stream);
-
   /// By slot.
   SphNeighbours View() const;
   /// The particle in each slot.
@@ -67,8 +50,9 @@ private:
   void Append(const NeighbourScratch& scratch, std::size_t found);
 
   std::size_t Count = 0;
-  NeighbourCourse Now;
-  bool IsRestored = false; // entries are to be built from the course's reference
+  float Skin = 0.2f;            // [dx]
+  int Uses = 0;                 // calls of Update since Build
+  std::vector<float> Reference; // positions at Build, three rows
   std::vector<std::uint32_t> Particles;
   std::vector<std::uint32_t> Starts;
   std::vector<std::uint16_t> Narrow;

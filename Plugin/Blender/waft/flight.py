@@ -19,7 +19,7 @@ from .command import ALL_MET, NOT_ALL_MET, STOPPED_EARLY, Process
 SCENE = "scene.waft.json"  # in the folder of a flight
 # What a run that is killed leaves: its folder `checkpoint` with these files (Plugin/Python/waft/run/resuming.py), its lock, and temporary
 # folders whose names end in what goes with their start (temporary.py); one with a manifest has results that are whole (place.py).
-_CHECKPOINT = re.compile(r"(planned|constraints|vortices)\.vtp|report\.csv|key|(spacetime|assimilation|assimilated)\.state(\.part\d+)?")
+_CHECKPOINT = re.compile(r"(planned|constraints|vortices)\.vtp|report\.csv|key|(assimilation|assimilated)\.state(\.part\d+)?")
 _TEMPORARY = re.compile(r"\.waft-([0-9a-z]{4})([0-9a-z]{4})")
 _POSES = "poses.csv"
 _SEAL = "report.json"  # of a result: holds its manifest

@@ -28,8 +28,8 @@ constexpr const char* Help =
   "                                         a floor, planned to rest on the dots of a word after\n"
   "                                         frame 250 with a small database of swirls, then\n"
   "                                         optimised with the standard options. Both are made on\n"
-  "                                         the spot: no files are needed. --edit 1: then one\n"
-  "                                         target is moved; --memory 300: MemoryLimit, MB\n"
+  "                                         the spot: no files are needed. --memory 300:\n"
+  "                                         MemoryLimit, MB\n"
   "  WaftBenchmarkSpacetime --ceres 500     64 gas particles and 5 objects over 15 frames, "
   "instead:\n"
   "                                         500 iterations of Ceres, and --iterations (2000)\n"
@@ -229,8 +229,7 @@ int main(int argc, char** argv)
   const ParallelFor parallel = ThreadedFor(threads);
   if (const int leaves = static_cast<int>(Argument(argc, argv, "--letters", 0)); leaves > 0)
   {
-    return RunLetters(leaves, Argument(argc, argv, "--edit", 0) != 0,
-                      Argument(argc, argv, "--memory", 0), parallel);
+    return RunLetters(leaves, Argument(argc, argv, "--memory", 0), parallel);
   }
   if (const int iterations = static_cast<int>(Argument(argc, argv, "--ceres", 0)); iterations > 0)
   {

@@ -3,7 +3,6 @@
 
 #include "PlanScenes.h"
 #include "Spacetime/Run/Spacetime.h"
-#include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "StandardRun.h"
 
 #include <cstdio>
@@ -11,30 +10,7 @@
 namespace waft
 {
 
-namespace
-{
-
-/// The last leaf's target is moved by a tenth of a metre, and the run goes on from its motion.
-void PrintEdit(SpacetimeInput input, const SpacetimeOptions& options, const ParallelFor& parallel,
-               SpacetimeWarmStart& memory, double whole)
-{
-  input.Constraints.back().Value.x() += 0.1;
-  SilentMonitor monitor;
-  SpacetimeOutput output;
-  const double cpu = CpuSeconds();
-  test::PlanScene::Check(RunSpacetime(input, options, parallel, monitor, output, &memory));
-  const double seconds = CpuSeconds() - cpu;
-  std::printf(
-    "stage %s, object %d at frame %d: E %.4f before and %.4f after, %.1f s CPU, %.1f %% of "
-    "the whole run\n",
-    output.Convergence[1].Stage.c_str(), input.Constraints.back().ObjectId,
-    input.Constraints.back().Frame, output.Convergence.front().E, output.Convergence.back().E,
-    seconds, 100.0 * seconds / whole);
-}
-
-} // namespace
-
-int RunLetters(int leaves, bool edits, double memoryLimit, const ParallelFor& parallel)
+int RunLetters(int leaves, double memoryLimit, const ParallelFor& parallel)
 {
   test::PlanScene scene;
   test::AddLetters(scene, leaves);
@@ -55,10 +31,9 @@ int RunLetters(int leaves, bool edits, double memoryLimit, const ParallelFor& pa
   input.Vortices = plan.Vortices;
   SpacetimeOptions options;
   options.MemoryLimit = memoryLimit;
-  SpacetimeWarmStart memory;
   SpacetimeOutput output;
   const double cpu = CpuSeconds();
-  test::PlanScene::Check(RunSpacetime(input, options, parallel, monitor, output, &memory));
+  test::PlanScene::Check(RunSpacetime(input, options, parallel, monitor, output));
   const double whole = CpuSeconds() - cpu;
   const double start = output.Convergence.front().E;
   for (std::size_t k = 0; k < output.Convergence.size(); ++k)
@@ -73,10 +48,6 @@ int RunLetters(int leaves, bool edits, double memoryLimit, const ParallelFor& pa
     }
   }
   std::printf("%d leaves, %.1f s CPU, peak memory %.0f MB\n", leaves, whole, PeakMegabytes());
-  if (edits)
-  {
-    PrintEdit(input, options, parallel, memory, whole);
-  }
   return 0;
 }
 

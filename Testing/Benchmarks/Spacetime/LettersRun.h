@@ -7,8 +7,8 @@
 namespace waft
 {
 
-/// Plans, optimises with the standard options and a MemoryLimit (MB; 0: none), prints; then, where
-/// it edits, moves one target and goes on. Returns a process' exit status.
-int RunLetters(int leaves, bool edits, double memoryLimit, const ParallelFor& parallel);
+/// Plans, optimises with the standard options and a MemoryLimit (MB; 0: none), prints. Returns a
+/// process' exit status.
+int RunLetters(int leaves, double memoryLimit, const ParallelFor& parallel);
 
 } // namespace waft

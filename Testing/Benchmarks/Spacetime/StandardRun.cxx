@@ -172,7 +172,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
 {
   const SpacetimeModel& model = setup.Model;
   Schedule schedule = PlanSchedule(setup, options, model.Size.x());
-  const std::vector<Stage> again = PlanPassesAgain(options, false).Stages;
+  const std::vector<Stage> again(schedule.Stages.end() - 4, schedule.Stages.end()); // on all frames
   schedule.Stages.insert(schedule.Stages.end(), again.begin(), again.end());
   const TimeLevel full = schedule.LevelOf(0, model.NumberOfFrames, options.TemporalWindow);
   SpacetimeTerms terms;

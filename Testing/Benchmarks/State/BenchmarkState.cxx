@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // WaftBenchmarkState [points along a side] [frames] [megabytes] [folder]: how small and how quickly
-// an air is packed for edits, beside its plain bytes; what writing a checkpoint takes on this disk,
-// and what part of a run's time on disks of any speed, beside the former rule (each ten seconds,
-// and at least thirty times what the last writing took).
+// an air is packed for edits, beside its plain bytes; what writing a checkpoint takes on this disk.
 #include "Air/Field/PackedSeries.h"
 #include "Store/StateFile.h"
-#include "Store/WritingSchedule.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,9 +15,6 @@ using namespace waft;
 
 namespace
 {
-
-constexpr double Interval = 10.0, Fraction = 0.02, Step = 0.3; // s, of the time, s an iteration
-constexpr double PieceMegabytes = 4.0;                         // between two looks at the clock
 
 HalfSeries Waves(int side, int frames)
 {
@@ -80,48 +74,6 @@ double WriteOnce(const std::string& path, const std::vector<char>& bytes)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The part of a run's time that goes by with writing, and how long after its beginning the first
-/// checkpoint was whole.
-void Share(double megabytes, double speed, double duration)
-{
-  const double writing = megabytes / speed;
-  double now = 0.0, spent = 0.0, last = 0.0, cost = 0.0;
-  while (now < duration) // the former rule
-  {
-    now += Step;
-    if (now - last >= std::max(Interval, 30.0 * cost))
-    {
-      now += writing;
-      spent += writing;
-      cost = writing;
-      last = now;
-    }
-  }
-  const double former = spent / now;
-  WritingSchedule schedule(Interval, Fraction);
-  now = spent = 0.0;
-  double first = 0.0;
-  while (now < duration)
-  {
-    now += Step;
-    if (schedule.IsDue(now))
-    {
-      const double allowance = schedule.Allowance(now);
-      const bool isWhole = writing <= allowance;
-      const double taken =
-        isWhole ? writing : std::min(writing, allowance + PieceMegabytes / speed);
-      now += taken;
-      spent += taken;
-      schedule.Record(now, taken);
-      first = isWhole && first == 0.0 ? now : first;
-    }
-  }
-  std::printf(
-    "checkpoints of %.0f MB at %4.0f MB/s in a run of %4.0f s: %4.1f %% of the time, formerly "
-    "%4.1f %%; first after %.0f s\n",
-    megabytes, speed, duration, 100.0 * spent / now, 100.0 * former, first);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -146,12 +98,5 @@ int main(int argc, char** argv)
   std::sort(seconds.begin(), seconds.end());
   std::printf("a checkpoint of %.0f MB here: %.2f s by the clock (median of 5, %.2f to %.2f)\n",
               megabytes, seconds[2], seconds.front(), seconds.back());
-  for (const double speed : { 1000.0, 100.0, 10.0 })
-  {
-    for (const double duration : { 60.0, 600.0, 3600.0 })
-    {
-      Share(megabytes, speed, duration);
-    }
-  }
   return 0;
 }

@@ -2,13 +2,13 @@
 // Runs of the optimiser that tests share.
 #pragma once
 
-#include "Spacetime/Run/SpacetimeWarmStart.h"
+#include "Spacetime/Run/SpacetimeRun.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
+#include <utility>
 
 namespace waft
 {
@@ -24,14 +24,28 @@ inline SpacetimeOptions QuickOptions()
 }
 
 inline SpacetimeOutput RunScene(const SpacetimeInput& input, const SpacetimeOptions& options,
-                                int threads = 2, SpacetimeWarmStart* memory = nullptr)
+                                int threads = 2)
 {
   SilentMonitor monitor;
   SpacetimeOutput output;
-  const Result result = RunSpacetime(input, options, ThreadedFor(threads), monitor, output, memory);
+  const Result result = RunSpacetime(input, options, ThreadedFor(threads), monitor, output);
   EXPECT_TRUE(result) << result.Message();
   EXPECT_FALSE(result.IsStopped());
   return output;
+}
+
+/// A run whose last state is looked at.
+inline SolverState LastState(const SpacetimeInput& input, const SpacetimeOptions& options,
+                             SpacetimeOutput& output)
+{
+  SpacetimeSetup setup;
+  EXPECT_TRUE(MakeSetup(input, options, setup));
+  StateVector start = std::move(setup.Start);
+  const ParallelFor parallel = ThreadedFor(2);
+  SilentMonitor monitor;
+  SpacetimeRun run(input, options, setup, parallel, monitor, output);
+  EXPECT_TRUE(run.Run(std::move(start)));
+  return run.Last();
 }
 
 /// Asks a run to stop once it has come so far; what it says of its progress never falls.
@@ -49,11 +63,6 @@ public:
 private:
   double Fraction, Last = 0.0;
 };
-
-inline bool FileExists(const std::string& path)
-{
-  return std::ifstream(path).good();
-}
 
 /// Every bit of what moves and of the way there.
 inline void ExpectSameMotion(const SpacetimeOutput& a, const SpacetimeOutput& b)

@@ -380,3 +380,15 @@ TEST(RunSpacetime, NamesBadInputAndLeavesTheOutputEmpty)
   options.CourantNumber = 5.0;
   EXPECT_NE(message(good, options).find("CourantNumber"), std::string::npos);
 }
+
+TEST(RunSpacetime, GivesTheBestSoFarAtItsTimeLimit)
+{
+  SpacetimeOptions options = QuickOptions();
+  options.TimeLimit = 1e-6; // s: up at the first look
+  const SpacetimeInput input = MakeScene(SceneOptions());
+  const SpacetimeOutput output = RunScene(input, options);
+  ASSERT_EQ(output.Warnings.size(), 1u);
+  EXPECT_NE(output.Warnings[0].find("TimeLimit"), std::string::npos) << output.Warnings[0];
+  EXPECT_LE(output.Convergence.back().E, 1.01 * output.Convergence.front().E);
+  EXPECT_EQ(output.Tracks.size(), input.Tracks.size());
+}

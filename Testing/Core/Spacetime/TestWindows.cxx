@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs in bounded memory.
-#include "Base/TemporaryFolder.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeRuns.h"
@@ -137,7 +136,7 @@ TEST(Windows, EndWithinFivePercentOfAllAtOnce)
   }
 }
 
-TEST(Windows, GoOnFromACheckpointToTheSameBits)
+TEST(Windows, SumUpToTheEnergyOfTheWhole)
 {
   const SpacetimeInput input = Scene(60, 3);
   SpacetimeOptions options = QuickOptions();
@@ -161,16 +160,6 @@ TEST(Windows, GoOnFromACheckpointToTheSameBits)
     }
   }
   EXPECT_EQ(stages, 9);
-  const test::TemporaryFolder folder;
-  options.CheckpointFile = folder.File("state");
-  options.CheckpointInterval = 0.0;
-  StopAt stop(0.6);
-  SpacetimeOutput output;
-  ASSERT_TRUE(RunSpacetime(input, options, SerialFor(), stop, output).IsStopped());
-  ASSERT_TRUE(FileExists(options.CheckpointFile));
-  const SpacetimeOutput resumed = RunScene(input, options);
-  EXPECT_TRUE(resumed.Warnings.empty());
-  ExpectSameMotion(resumed, whole);
 }
 
 TEST(Windows, TheBudgetIsWhatIsMeasured)

@@ -4,9 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 using namespace waft;
 
@@ -15,9 +13,9 @@ namespace
 
 constexpr StateKind Steps = { "steps", 1 };
 
-void WriteSteps(CheckpointFile& file, int steps, bool now = true)
+void WriteSteps(CheckpointFile& file, int steps)
 {
-  file.Write([steps](StateArchive& stream) { stream.Values(steps); }, now);
+  file.Write([steps](StateArchive& stream) { stream.Values(steps); });
 }
 
 /// -1 where it is not gone on from.
@@ -39,15 +37,15 @@ TEST(CheckpointFile, IsGoneOnFromByTheSameRunAlone)
   const test::TemporaryFolder folder;
   const std::string path = folder.File("checkpoint");
   std::vector<std::string> warnings;
-  CheckpointFile file({ path, Steps, 7, 0.0, "done" }, warnings);
+  CheckpointFile file({ path, Steps, 7, "done" }, warnings);
   EXPECT_EQ(StepsOf(file), -1);
   EXPECT_TRUE(warnings.empty()); // there is none
-  EXPECT_TRUE(file.IsDue(false));
+  EXPECT_TRUE(file.IsDue());
   WriteSteps(file, 3);
   EXPECT_EQ(StepsOf(file), 3);
   EXPECT_TRUE(warnings.empty());
 
-  CheckpointFile other({ path, Steps, 8, 0.0, "done" }, warnings);
+  CheckpointFile other({ path, Steps, 8, "done" }, warnings);
   EXPECT_EQ(StepsOf(other), -1);
   WriteSteps(file, -5); // what cannot be
   EXPECT_EQ(StepsOf(file), -1);
@@ -64,12 +62,12 @@ TEST(CheckpointFile, IsGoneOnFromByTheSameRunAlone)
 TEST(CheckpointFile, IsAWarningOnceWhereItCannotBeWritten)
 {
   std::vector<std::string> warnings;
-  CheckpointFile file({ "/nonexistent/folder/checkpoint", Steps, 7, 0.0, "done" }, warnings);
+  CheckpointFile file({ "/nonexistent/folder/checkpoint", Steps, 7, "done" }, warnings);
   WriteSteps(file, 3);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].find("no checkpoint is kept: cannot write /nonexistent/folder/checkpoint"),
             0u);
-  EXPECT_FALSE(file.IsDue(true));
+  EXPECT_FALSE(file.IsDue());
 }
 
 TEST(CheckpointFile, LeavesFilesOfOthersAlone)
@@ -77,7 +75,7 @@ TEST(CheckpointFile, LeavesFilesOfOthersAlone)
   const test::TemporaryFolder folder;
   const std::string path = folder.Write("own.png", "a picture of somebody's");
   std::vector<std::string> warnings;
-  CheckpointFile file({ path, Steps, 7, 0.0, "done" }, warnings);
+  CheckpointFile file({ path, Steps, 7, "done" }, warnings);
   WriteSteps(file, 3);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find(path + ": nothing was written"), std::string::npos) << warnings[0];
@@ -88,28 +86,9 @@ TEST(CheckpointFile, LeavesFilesOfOthersAlone)
 TEST(CheckpointFile, OfNoNameIsNeverDue)
 {
   std::vector<std::string> warnings;
-  CheckpointFile file({ "", Steps, 7, 0.0, "done" }, warnings);
-  EXPECT_FALSE(file.IsDue(true));
+  CheckpointFile file({ "", Steps, 7, "done" }, warnings);
+  EXPECT_FALSE(file.IsDue());
   EXPECT_EQ(StepsOf(file), -1);
   file.Remove();
-  EXPECT_TRUE(warnings.empty());
-}
-
-TEST(CheckpointFile, IsGivenUpWhereItTakesTooLongUnlessItIsAskedForNow)
-{
-  const test::TemporaryFolder folder;
-  std::vector<std::string> warnings;
-  CheckpointFile file({ folder.File("checkpoint"), Steps, 7, 1e6, "done" }, warnings);
-  EXPECT_FALSE(file.IsDue(false));
-  EXPECT_TRUE(file.IsDue(true));
-  const auto slowly = [](StateArchive& stream)
-  {
-    const int steps = 1;
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    stream.Values(steps);
-  };
-  file.Write(slowly, true);
-  WriteSteps(file, 2, false); // 2 % of the time so far are less than what the first took
-  EXPECT_EQ(StepsOf(file), 1);
   EXPECT_TRUE(warnings.empty());
 }

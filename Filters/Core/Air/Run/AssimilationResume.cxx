@@ -85,21 +85,21 @@ bool HasPaths(const AssimilationState& kept, const AirContext& run)
 
 CheckpointFile CheckpointOf(const AirContext& run, AssimilationOutput& output)
 {
-  return { { run.Options.CheckpointFile, AssimilationKind, DigestOf(run.Key), 0.0, "done" },
+  return { { run.Options.CheckpointFile, AssimilationKind, DigestOf(run.Key), "done" },
            output.Warnings };
 }
 
 void KeepCheckpoint(const AirContext& run, const AirState& state, const AssimilationOutput& output,
                     CheckpointFile& checkpoint)
 {
-  if (!checkpoint.IsDue(true))
+  if (!checkpoint.IsDue())
   {
     return;
   }
   AssimilationState kept = Kept(run, state, output);
   kept.Rounds = state.Rounds;
   kept.Air = { std::shared_ptr<void>(), &state.Sampled }; // for the time of the writing
-  checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); }, true);
+  checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); });
 }
 
 bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,

@@ -90,29 +90,4 @@ void SpacetimeObjective::ShareFrame(FrameTerms& terms, const StateVector& moving
   }
 }
 
-void SpacetimeObjective::MarkLists()
-{
-  this->Marked.clear();
-  for (const NeighbourList& list : this->Lists)
-  {
-    this->Marked.push_back(list.Course());
-  }
-}
-
-void SpacetimeObjective::RewindLists()
-{
-  for (std::size_t k = 0; k < this->Marked.size(); ++k)
-  {
-    this->Lists[k].Restore(this->Marked[k]);
-  }
-}
-
-void SpacetimeObjective::SerialiseLists(StateArchive& stream)
-{
-  for (NeighbourList& list : this->Lists)
-  {
-    list.Serialise(stream);
-  }
-}
-
 } // namespace waft

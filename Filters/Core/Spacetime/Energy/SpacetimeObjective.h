@@ -4,7 +4,6 @@
 
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
-#include "Base/StateArchive.h"
 #include "Particles/NeighbourList.h"
 #include "Spacetime/Energy/Convergence.h"
 #include "Spacetime/Energy/FrameTerms.h"
@@ -49,13 +48,6 @@ public:
                        std::vector<int>& steps) const;
   /// The velocity residual rv [dx / frame] of a body in the step into frame j, likewise.
   void VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const;
-
-  /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
-  /// the next ones give the same bits.
-  void SerialiseLists(StateArchive& stream);
-  /// Remembers the lists as they are now; brings them back to that, whatever was evaluated since.
-  void MarkLists();
-  void RewindLists();
 
   /// The rows of a frame at its present state, for outputs. Not thread safe.
   FrameTerms& ForwardFrame(const StateVector& state, std::size_t j);
@@ -104,11 +96,10 @@ private:
   double SpatialScale; // 1 / (1 - m W(0))^2
   std::size_t Evaluations = 0;
 
-  std::vector<NeighbourList> Lists;    // by frame; empty when they are not kept
-  std::vector<NeighbourCourse> Marked; // of the lists
-  std::vector<float> Residuals; // weighted, of the step into frame j: rx, rv and rt, nine rows
-  StateVector Deviations;       // in a sampled air
-  StateVector Jacobians;        // nine rows a frame, of the air where they are taken
+  std::vector<NeighbourList> Lists; // by frame; empty when they are not kept
+  std::vector<float> Residuals;     // weighted, of the step into frame j: rx, rv and rt, nine rows
+  StateVector Deviations;           // in a sampled air
+  StateVector Jacobians;            // nine rows a frame, of the air where they are taken
   std::vector<SpacetimeTerms> FrameSums;
   std::vector<std::uint8_t> Bound;  // [frame * objects + object]: no free flight into the frame
   std::vector<std::uint8_t> HasLaw; // likewise: rv counts

@@ -49,12 +49,6 @@ std::string Stage::Name() const
     case StageKind::Fine:
       std::snprintf(text, sizeof(text), "fine");
       break;
-    case StageKind::Again:
-      std::snprintf(text, sizeof(text), "again");
-      break;
-    case StageKind::Edit:
-      std::snprintf(text, sizeof(text), "edit");
-      break;
     case StageKind::Fields:
       std::snprintf(text, sizeof(text), "fields");
       break;
@@ -62,13 +56,6 @@ std::string Stage::Name() const
   std::string name = text;
   name += levels[std::clamp<std::size_t>(this->Coarseness, 0, std::size(levels) - 1)];
   return this->Part != 0 ? name + " " + this->Part : name;
-}
-
-bool Stage::IsSame(const Stage& other) const
-{
-  const bool isOfThePass = this->Kind != StageKind::Pass || this->Pass == other.Pass;
-  return this->Kind == other.Kind && this->Coarseness == other.Coarseness && isOfThePass &&
-         this->Part == other.Part && this->Leash == other.Leash;
 }
 
 TimeLevel Schedule::LevelOf(int coarseness, int numberOfFrames, int window) const
@@ -96,14 +83,6 @@ std::size_t Schedule::FirstFine() const
   const auto found = std::find_if(this->Stages.begin(), this->Stages.end(),
                                   [](const Stage& stage) { return stage.Coarseness == 0; });
   return static_cast<std::size_t>(found - this->Stages.begin());
-}
-
-std::size_t Schedule::Find(const Stage& stage) const
-{
-  const auto found = std::find_if(this->Stages.begin(), this->Stages.end(),
-                                  [&](const Stage& own) { return own.IsSame(stage); });
-  return found != this->Stages.end() ? static_cast<std::size_t>(found - this->Stages.begin())
-                                     : this->FirstFine();
 }
 
 } // namespace waft

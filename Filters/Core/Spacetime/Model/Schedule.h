@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run does, stage by stage: known before it begins, so that it can be left and taken up
-// again at any of them.
+// What a run does, stage by stage: known before it begins.
 #pragma once
 
 #include "Spacetime/Model/SpacetimeOptions.h"
@@ -19,8 +18,6 @@ enum class StageKind : std::uint8_t
   Coarsest, // on the coarsest level, where it is none of the passes'
   Pass,     // of an alternation with the fields
   Fine,     // on all frames, at last
-  Again,    // from a motion that was solved before
-  Edit,     // the same, some of it changed
   Fields    // estimates the force fields anew; all others minimise E
 };
 
@@ -34,23 +31,9 @@ struct Stage
   double Leash = 0.0;        // m; 0: none
   bool FitsVortices = false; // of Fields
 
-  template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
-  {
-    visit(of.Kind...);
-    visit(of.Coarseness...);
-    visit(of.Pass...);
-    visit(of.Part...);
-    visit(of.Iterations...);
-    visit(of.Leash...);
-    visit(of.FitsVortices...);
-  }
-
   bool IsUpdate() const { return this->Kind == StageKind::Fields; }
   /// Of a minimisation, as Convergence logs it.
   std::string Name() const;
-  /// The same place of a schedule, whatever a stage may take there.
-  bool IsSame(const Stage& other) const;
 };
 
 struct Schedule
@@ -60,22 +43,13 @@ struct Schedule
   std::vector<std::vector<int>> CoarseFrames;
   std::vector<Stage> Stages;
 
-  template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
-  {
-    visit(of.CoarseFrames...);
-    visit(of.Stages...);
-  }
-
   int Coarsest() const { return static_cast<int>(this->CoarseFrames.size()); }
   /// window: w of Eq. 4 [frames].
   TimeLevel LevelOf(int coarseness, int numberOfFrames, int window) const;
   /// Iterations at full resolution that stages from `first` on may take.
   double Work(std::size_t first, int numberOfFrames) const;
-  /// The first stage at full resolution, and the same stage as another schedule's (as a last resort
-  /// the former).
+  /// The first stage at full resolution.
   std::size_t FirstFine() const;
-  std::size_t Find(const Stage& stage) const;
 };
 
 /// A stage that minimises E, on frames of a coarseness.

@@ -210,35 +210,24 @@ struct SpacetimeOptions : TermWeights
                        "Seconds after which the best motion so far is given; 0: no limit. With a "
                        "limit two runs may differ." },
           of.TimeLimit...);
-    visit(FlagField("WarmStart",
-                    "After a change, go on from the motion and the fields of the last run instead "
-                    "of from the planned tracks, as long as objects, frames and gas are the same."),
+    visit(FlagField("WarmStart", "Without effect: a run begins with the tracks that it is given."),
           of.WarmStart...);
-    visit(OptionField{ "EditDuration",
-                       { 0, 1000 },
+    visit(
+      OptionField{
+        "EditDuration", { 0, 1000 }, "s", "Without effect: after an edit all is solved again." },
+      of.EditDuration...);
+    visit(
+      OptionField{
+        "EditRadius", { 0, 1000 }, "m", "Without effect: after an edit all is solved again." },
+      of.EditRadius...);
+    visit(TextField("CheckpointFile",
+                    "Without effect: a run that was ended is solved again from its tracks."),
+          of.CheckpointFile...);
+    visit(OptionField{ "CheckpointInterval",
+                       { 0, 1e+06 },
                        "s",
-                       "When only some tracks or rows changed since the last run: seconds before "
-                       "and after the changed frames that are solved again; 0: all is solved on." },
-          of.EditDuration...);
-    visit(OptionField{ "EditRadius",
-                       { 0, 1000 },
-                       "m",
-                       "Then: metres about the changed objects within which gas and objects move; "
-                       "nothing else does. 0: all is solved on." },
-          of.EditRadius...);
-    visit(
-      TextField("CheckpointFile",
-                "A file that the state of a run is written to at intervals, whole or not at all; "
-                "empty: none. A run of the same inputs and properties that was ended before its "
-                "time goes on from it, to the same bits; a run that ends by itself removes it."),
-      of.CheckpointFile...);
-    visit(
-      OptionField{ "CheckpointInterval",
-                   { 0, 1e+06 },
-                   "s",
-                   "Seconds between two writings of what a run that was ended goes on from, and "
-                   "as many more as keep them within 2 % of the time; 0: after each iteration." },
-      of.CheckpointInterval...);
+                       "Without effect: a run that was ended is solved again from its tracks." },
+          of.CheckpointInterval...);
   }
 
   template <class Visitor, class... Holder>

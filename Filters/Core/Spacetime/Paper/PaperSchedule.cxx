@@ -19,14 +19,6 @@ constexpr double WorthCoarsening = 0.8;   // a level has fewer frames than this 
 /// to the coarser level's answer as soon without it.
 constexpr std::size_t FewestFrames[] = { 4, 10 };
 
-void AddLast(StageKind kind, int pass, int iterations, bool vortices, std::vector<Stage>& stages)
-{
-  stages.push_back(Minimise(kind, 0, pass, 'a', iterations));
-  stages.push_back(Update(0, pass, vortices));
-  stages.push_back(Minimise(kind, 0, pass, 'b', iterations));
-  stages.push_back(Update(0, pass, false));
-}
-
 } // namespace
 
 Schedule PlanPasses(const SpacetimeSetup& setup, const SpacetimeOptions& options, double width)
@@ -71,15 +63,12 @@ Schedule PlanPasses(const SpacetimeSetup& setup, const SpacetimeOptions& options
                               level > 0 ? many : iterations));
     stages.push_back(Update(level, pass, true));
   }
-  AddLast(StageKind::Fine, options.Passes, level > 0 ? LastIterations(options) : iterations, false,
-          stages);
-  return schedule;
-}
-
-Schedule PlanPassesAgain(const SpacetimeOptions& options, bool fitVortices)
-{
-  Schedule schedule;
-  AddLast(StageKind::Again, options.Passes, LastIterations(options), fitVortices, schedule.Stages);
+  const int last = level > 0 ? LastIterations(options) : iterations;
+  for (const char part : { 'a', 'b' })
+  {
+    stages.push_back(Minimise(StageKind::Fine, 0, options.Passes, part, last));
+    stages.push_back(Update(0, options.Passes, false));
+  }
   return schedule;
 }
 

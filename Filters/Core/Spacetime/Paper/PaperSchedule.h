@@ -11,7 +11,5 @@ namespace waft
 
 /// width: L of the leash, the longest side of the volume [m].
 Schedule PlanPasses(const SpacetimeSetup& setup, const SpacetimeOptions& options, double width);
-/// From a motion that was solved before, under conditions that may have changed.
-Schedule PlanPassesAgain(const SpacetimeOptions& options, bool fitVortices);
 
 } // namespace waft

@@ -19,17 +19,4 @@ Schedule PlanInAir(const SpacetimeOptions& options)
   return schedule;
 }
 
-Schedule PlanAgain(const SpacetimeSetup& setup, const SpacetimeOptions& options, bool fitVortices)
-{
-  return setup.Model.Air.IsEmpty() ? PlanPassesAgain(options, fitVortices) : PlanInAir(options);
-}
-
-Schedule PlanEdit(const SpacetimeOptions& options)
-{
-  Schedule schedule;
-  schedule.Stages.push_back(
-    Minimise(StageKind::Edit, 0, options.Passes, 0, (options.MaximumNumberOfIterations + 1) / 2));
-  return schedule;
-}
-
 } // namespace waft

@@ -13,9 +13,5 @@ Schedule PlanSchedule(const SpacetimeSetup& setup, const SpacetimeOptions& optio
 /// In a sampled air, in which the tracks and their gas fly already: all frames at once, no fields
 /// to be found.
 Schedule PlanInAir(const SpacetimeOptions& options);
-/// From a motion that was solved before, under conditions that may have changed.
-Schedule PlanAgain(const SpacetimeSetup& setup, const SpacetimeOptions& options, bool fitVortices);
-/// From a motion that was solved before, some of it changed: the fields stay as they are.
-Schedule PlanEdit(const SpacetimeOptions& options);
 
 } // namespace waft

@@ -13,8 +13,7 @@ namespace
 {
 
 Result Solve(const SpacetimeInput& input, const SpacetimeOptions& options,
-             const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-             SpacetimeWarmStart* memory)
+             const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output)
 {
   SpacetimeSetup problem;
   WAFT_RETURN_IF_FAILED(MakeSetup(input, options, problem));
@@ -22,8 +21,7 @@ Result Solve(const SpacetimeInput& input, const SpacetimeOptions& options,
     SpacetimeBudget(problem.Model, options)
       .Validate(static_cast<std::size_t>(problem.Model.NumberOfFrames), options));
   StateVector start = std::move(problem.Start);
-  return SpacetimeRun(input, options, problem, parallel, monitor, output, memory)
-    .Run(std::move(start));
+  return SpacetimeRun(input, options, problem, parallel, monitor, output).Run(std::move(start));
 }
 
 } // namespace
@@ -34,18 +32,13 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume, const SpacetimeOptio
 }
 
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
-                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                    SpacetimeWarmStart* memory)
+                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output)
 {
   output = SpacetimeOutput();
-  const Result result = Solve(input, options, parallel, monitor, output, memory);
+  const Result result = Solve(input, options, parallel, monitor, output);
   if (!result)
   {
     output = SpacetimeOutput();
-    if (memory != nullptr)
-    {
-      *memory = SpacetimeWarmStart();
-    }
   }
   return result;
 }

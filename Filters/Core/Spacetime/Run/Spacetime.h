@@ -15,8 +15,6 @@
 namespace waft
 {
 
-struct SpacetimeWarmStart; // SpacetimeWarmStart.h
-
 /// Points of the lattice on which the wind is estimated and handed out; it spans the volume.
 std::array<int, 3> WindLatticeDimensions(const Box& volume, const SpacetimeOptions& options);
 
@@ -24,16 +22,7 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume, const SpacetimeOptio
 /// object, a volume too small for the gas, a MemoryLimit too low for windows of a few frames.
 /// Stopped (by the monitor): the output holds the best feasible motion so far; so it does at the
 /// TimeLimit, which is a warning.
-///
-/// memory, where there is one, is what the last run left and is left anew: with WarmStart and the
-/// same unknowns (objects, frames, gas) the run goes on from it, else from the planned tracks. An
-/// error empties it.
-///
-/// CheckpointFile is written at intervals, whole or not at all, and removed when the run ends by
-/// itself. One of the same input and options is gone on from, to the same bits as if the run had
-/// never been ended; any other is ignored with a warning.
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
-                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                    SpacetimeWarmStart* memory = nullptr);
+                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output);
 
 } // namespace waft

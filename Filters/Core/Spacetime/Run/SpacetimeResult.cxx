@@ -47,21 +47,13 @@ Result SpacetimeRun::Export()
   const HardConstraints constraints(this->Problem.Model, level, this->Problem.Table,
                                     this->Parallel);
   StateVector& motion = this->State.Motion;
-  KeptMotion kept;
-  if (this->Region.IsEmpty())
-  {
-    constraints.Project(motion);
-    this->KeepTheBetter(constraints);
-    this->TickMeasuring();
-  }
-  else if (this->Memory != nullptr)
-  {
-    kept = { &this->Region, &this->Memory->Positions };
-  }
+  constraints.Project(motion);
+  this->KeepTheBetter(constraints);
+  this->TickMeasuring();
   const std::vector<Vec3> solved =
     ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion);
-  std::vector<std::vector<Vec3>> positions =
-    ExportPositions(this->Input, this->Problem, kept, motion, this->Output.Warnings);
+  const std::vector<std::vector<Vec3>> positions =
+    ExportPositions(this->Input, this->Problem, motion, this->Output.Warnings);
   this->MeasureRepairs(solved, positions);
   SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
                                FastestSphKernels(), false);
@@ -69,7 +61,7 @@ Result SpacetimeRun::Export()
   WAFT_RETURN_IF_FAILED(this->MeasureResult(objective, constraints, fields));
   this->TickMeasuring();
   (void)fields.Write(objective, positions, this->Progress, this->Output);
-  this->WriteOutput(std::move(positions));
+  this->WriteOutput();
   return this->Stopped ? Result::Stopped() : Result::Ok();
 }
 
@@ -159,7 +151,7 @@ Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
   return Result::Ok();
 }
 
-void SpacetimeRun::WriteOutput(std::vector<std::vector<Vec3>> positions)
+void SpacetimeRun::WriteOutput()
 {
   this->Output.Report = this->Problem.Report;
   MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Problem.Objects,
@@ -175,9 +167,8 @@ void SpacetimeRun::WriteOutput(std::vector<std::vector<Vec3>> positions)
           "so far, more time betters it (TimeLimit: reached before the last stage)");
   }
   const double energy = this->State.Log.back().E;
-  if (finished && this->Region.IsEmpty() &&
-      this->State.StartEnergy - energy <=
-        std::max(1e-6, this->Options.Tolerance) * this->State.StartEnergy)
+  if (finished && this->State.StartEnergy - energy <=
+                    std::max(1e-6, this->Options.Tolerance) * this->State.StartEnergy)
   {
     char text[250];
     std::snprintf(
@@ -187,12 +178,7 @@ void SpacetimeRun::WriteOutput(std::vector<std::vector<Vec3>> positions)
       this->State.StartEnergy, energy);
     this->Output.Warnings.push_back(text);
   }
-  if (finished && !this->IsCut && this->Checkpoint.IsNamed())
-  {
-    this->Checkpoint.Remove();
-  }
   this->Output.Convergence = std::move(this->State.Log);
-  this->Remember(std::move(positions));
 }
 
 } // namespace waft

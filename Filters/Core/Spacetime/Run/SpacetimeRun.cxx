@@ -20,25 +20,14 @@ namespace
 constexpr double CoarseTimeFraction = 0.5; // of a time limit, for the coarse levels
 constexpr double ForUpdates = 1.03;        // work with that for the fields, over that without
 
-Checkpoint CheckpointOf(const SpacetimeInput& input, const SpacetimeOptions& options)
-{
-  const std::string& path = options.CheckpointFile;
-  return { path,
-           { "spacetime checkpoint", 11 },
-           path.empty() ? 0 : DigestOfRun(input, options),
-           options.CheckpointInterval,
-           "solved" };
-}
-
 } // namespace
 
 SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                            const SpacetimeSetup& problem, const ParallelFor& parallel,
-                           Monitor& monitor, SpacetimeOutput& output, SpacetimeWarmStart* memory) :
+                           Monitor& monitor, SpacetimeOutput& output) :
   Input(input),
   Options(options), Problem(problem), Parallel(parallel), Progress(monitor), Output(output),
-  Memory(memory), Clock(std::chrono::steady_clock::now()),
-  Checkpoint(CheckpointOf(input, options), output.Warnings)
+  Clock(std::chrono::steady_clock::now())
 {
 }
 
@@ -49,15 +38,7 @@ Result SpacetimeRun::Run(StateVector start)
   {
     this->Output.Tracks = this->Input.Tracks;
   }
-  if (this->Memory != nullptr)
-  {
-    this->Digest = DigestOfProblem(this->Input, this->Options, this->Problem);
-  }
-  if (!this->Load() && !this->Rebase())
-  {
-    WAFT_RETURN_IF_FAILED(this->Begin(std::move(start)));
-  }
-  start = StateVector();
+  WAFT_RETURN_IF_FAILED(this->Begin(std::move(start)));
   this->AllWork =
     std::max(1.0, ForUpdates * this->State.Plan.Work(0, this->Problem.Model.NumberOfFrames));
   while (!this->Stopped && !this->State.IsDone() && this->RunStage())
@@ -95,7 +76,7 @@ void SpacetimeRun::Record(int pass, const std::string& stage, int iteration,
   row.Iteration = iteration;
   row.MaxViolation = std::max(0.0, violation) * this->Problem.Spacing;
   row.Leash = leash;
-  row.Seconds = this->Seconds();
+  row.Seconds = this->Elapsed();
   row.SetShares(!this->Problem.Model.Air.IsEmpty());
   this->State.Log.push_back(std::move(row));
 }
@@ -149,23 +130,14 @@ void SpacetimeRun::MakeLevel(int coarseness)
   const SpacetimeModel& model = this->Problem.Model;
   const TimeLevel level =
     this->State.Plan.LevelOf(coarseness, model.NumberOfFrames, this->Options.TemporalWindow);
-  if (this->Region.IsEmpty())
-  {
-    this->View.emplace(model, level);
-  }
-  else
-  {
-    this->View.emplace(model, level, static_cast<std::size_t>(this->Region.First),
-                       static_cast<std::size_t>(this->Region.Last));
-  }
+  this->View.emplace(model, level);
   this->State.Coarseness = coarseness;
   const TimeLevel& times = this->View->Level();
   this->Window = SpacetimeBudget(model, this->Options)
                    .WindowOf(times.NumberOfFrames(), this->Options.MemoryLimit);
   const int history = this->HasWindows(times) ? 0 : this->Options.HistorySize;
-  this->Solver =
-    std::make_unique<LevelSolver>(model, this->State.Fields, this->Problem.Table, times,
-                                  this->Parallel, history, this->Region.Movable);
+  this->Solver = std::make_unique<LevelSolver>(model, this->State.Fields, this->Problem.Table,
+                                               times, this->Parallel, history);
 }
 
 void SpacetimeRun::EnterLevel(int coarseness)
@@ -194,7 +166,6 @@ bool SpacetimeRun::RunStage()
 {
   const Stage& stage = this->State.Now();
   this->EnterLevel(stage.Coarseness);
-  this->MarkState();
   bool isDone = false;
   if (stage.IsUpdate())
   {
@@ -205,7 +176,6 @@ bool SpacetimeRun::RunStage()
     isDone = this->HasWindows(this->Solver->Level) ? this->MinimiseInWindows(stage)
                                                    : this->Minimise(stage);
   }
-  this->State.IsInside = false;
   if (isDone)
   {
     ++this->State.Next;
@@ -216,75 +186,6 @@ bool SpacetimeRun::RunStage()
     this->State.Next = this->State.Plan.FirstFine();
     return true;
   }
-  return false;
-}
-
-bool SpacetimeRun::KeepsCheckpoints() const
-{
-  // An edit is short, and its end depends on what only this process has.
-  return this->Checkpoint.IsNamed() && !this->IsCut && this->Region.IsEmpty();
-}
-
-void SpacetimeRun::KeepCheckpoint(bool now)
-{
-  if (this->KeepsCheckpoints() && this->Checkpoint.IsDue(now))
-  {
-    this->WriteCheckpoint(now);
-  }
-}
-
-void SpacetimeRun::MarkState()
-{
-  if (this->KeepsCheckpoints())
-  {
-    this->Solver->Objective.MarkLists();
-  }
-}
-
-// Of a stage that was stopped all but the lists is as it was at the mark.
-void SpacetimeRun::KeepState()
-{
-  if (this->Stopped && this->KeepsCheckpoints() && this->Checkpoint.IsDue(true))
-  {
-    this->Solver->Objective.RewindLists();
-    this->WriteCheckpoint(true);
-  }
-}
-
-void SpacetimeRun::WriteCheckpoint(bool now)
-{
-  const double before = std::exchange(this->State.Seconds, this->Seconds());
-  this->Checkpoint.Write([this](StateArchive& stream) { this->SerialiseAll(stream); }, now);
-  this->State.Seconds = before;
-}
-
-// The lists are no state, but what they remember of evaluations tells the bits of the next.
-void SpacetimeRun::SerialiseAll(StateArchive& stream)
-{
-  stream.Values(this->State);
-  if (stream.IsReading())
-  {
-    this->MakeLevel(std::clamp(this->State.Coarseness, 0, this->State.Plan.Coarsest()));
-    // A file may end before its time.
-    this->State.Part.resize(this->Solver->Level.NumberOfFrames() * this->Problem.Model.FrameSize());
-  }
-  this->Solver->Objective.SerialiseLists(stream);
-}
-
-bool SpacetimeRun::Load()
-{
-  const auto content = [this](StateArchive& stream)
-  {
-    this->SerialiseAll(stream);
-    return !this->State.IsDone();
-  };
-  if (this->Checkpoint.Read(content))
-  {
-    return true;
-  }
-  this->Solver.reset();
-  this->View.reset();
-  this->State = SolverState();
   return false;
 }
 

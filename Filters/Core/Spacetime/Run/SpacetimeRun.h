@@ -2,13 +2,11 @@
 // One run of the optimisation: a state to begin with, a stage after the other, what it leaves.
 #pragma once
 
-#include "Spacetime/Model/EditRegion.h"
 #include "Spacetime/Model/FrameView.h"
-#include "Spacetime/Run/SpacetimeWarmStart.h"
+#include "Spacetime/Run/SolverState.h"
 #include "Spacetime/Scene/SpacetimeExport.h"
 #include "Spacetime/Scene/SpacetimeOutput.h"
 #include "Spacetime/Solver/LevelSolver.h"
-#include "Store/CheckpointFile.h"
 
 #include <chrono>
 #include <memory>
@@ -25,26 +23,22 @@ class SpacetimeRun
 public:
   SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                const SpacetimeSetup& problem, const ParallelFor& parallel, Monitor& monitor,
-               SpacetimeOutput& output, SpacetimeWarmStart* memory);
+               SpacetimeOutput& output);
 
   /// start: all frames of the planned motion.
   Result Run(StateVector start);
+  /// Motion and fields that Run came to, in the solver's own units.
+  const SolverState& Last() const { return this->State; }
 
 private:
   double Elapsed() const; // since this run began [s]
-  double Seconds() const { return this->State.Seconds + this->Elapsed(); }
   bool TimeIsUp() const;
   /// Of the run, once the stages before that one are done.
   double FractionAt(std::size_t stage) const;
   void Record(int pass, const std::string& stage, int iteration, const SpacetimeTerms& terms,
               double violation, double leash);
 
-  /// The state to begin with: of a file, of the last run's memory, of the plan. False when there is
-  /// nothing that fits; the state is then as it was made.
-  bool Load();
-  bool Rebase();
   Result Begin(StateVector start);
-  void ResetOutside(const StateVector& before, StateVector& motion) const;
   /// The cost of a motion at full resolution, its neighbour lists made anew.
   SpacetimeTerms Measure(const StateVector& motion) const;
 
@@ -57,21 +51,13 @@ private:
   /// All three return false when the run was stopped.
   bool Minimise(const Stage& stage);
   bool MinimiseInWindows(const Stage& stage);
+  /// terms: E of the whole, which goes along.
   bool SolveWindow(const Stage& stage, std::pair<std::size_t, std::size_t> window, double done,
-                   Monitor& monitor);
+                   Monitor& monitor, SpacetimeTerms& terms);
   bool UpdateFields(const Stage& stage);
   bool HasWindows(const TimeLevel& level) const { return this->Window < level.NumberOfFrames(); }
   /// First and last free level frame of each window of a sweep.
   std::vector<std::pair<std::size_t, std::size_t>> Windows(int sweep) const;
-
-  /// A stage's observer calls this after each iterate.
-  void KeepCheckpoint(bool now);
-  /// At each place that a stopped run may go on from; writes the last one, when the run is stopped.
-  void MarkState();
-  void KeepState();
-  bool KeepsCheckpoints() const;
-  void WriteCheckpoint(bool now);
-  void SerialiseAll(StateArchive& stream);
 
   /// The objects' motion so far, now and then, for a monitor that publishes.
   void PublishMotion();
@@ -81,10 +67,9 @@ private:
                       const std::vector<std::vector<Vec3>>& exported);
   Result MeasureResult(SpacetimeObjective& objective, const HardConstraints& constraints,
                        FieldExport& fields);
-  void WriteOutput(std::vector<std::vector<Vec3>> positions);
+  void WriteOutput();
   /// Between two parts of what is measured in the end.
   void TickMeasuring();
-  void Remember(std::vector<std::vector<Vec3>> positions);
 
   const SpacetimeInput& Input;
   const SpacetimeOptions& Options;
@@ -92,20 +77,16 @@ private:
   ParallelFor Parallel;
   Monitor& Progress;
   SpacetimeOutput& Output;
-  SpacetimeWarmStart* Memory;
-  ProblemDigest Digest; // for the memory, made at once: who stops a run does not wait for it
   std::chrono::steady_clock::time_point Clock;
-  CheckpointFile Checkpoint;
 
   SolverState State;
-  EditRegion Region;                   // all that moves, when an edit is local
   std::optional<FrameView> View;       // that Part is of
   std::unique_ptr<LevelSolver> Solver; // of Part
   std::size_t Window = 0;              // free frames that are solved at once on the present level
   double AllWork = 1.0;                // expected, in iterations at full resolution
   std::chrono::steady_clock::time_point Published; // last
   bool Stopped = false;                            // by the monitor
-  bool IsCut = false; // by the time limit: what follows is no course to go on from
+  bool IsCut = false;                              // by the time limit
 };
 
 } // namespace waft

@@ -19,13 +19,11 @@ bool SpacetimeRun::Minimise(const Stage& stage)
                         this->FractionAt(this->State.Next + 1), stage.Iterations);
   monitor.Text = "spacetime: " + name;
   LevelSolver& solver = *this->Solver;
-  monitor.Done = this->State.IsInside ? this->State.Curvature.NumberOfIterations() : 0;
   StateVector& state = this->State.Part;
   solver.Constraints.SetLeash(stage.Leash / this->Problem.Spacing);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = stage.Iterations;
   options.Tolerance = this->Options.Tolerance;
-  options.GoesOn = std::exchange(this->State.IsInside, true);
   const auto observer = [&](int iteration, const SpacetimeTerms& terms)
   {
     this->Record(stage.Pass, name, iteration, terms, solver.Constraints.MaxViolation(state),
@@ -36,15 +34,12 @@ bool SpacetimeRun::Minimise(const Stage& stage)
                   iteration, terms.E);
     monitor.Text = text;
     const bool isUp = this->TimeIsUp();
-    this->KeepCheckpoint(isUp);
-    this->MarkState();
     this->PublishMotion();
     this->IsCut = this->IsCut || isUp;
     return !isUp;
   };
   const LbfgsEnd end = solver.Minimise(options, observer, &monitor, this->State.Curvature, state);
   this->Stopped = this->Stopped || !monitor.Going;
-  this->KeepState();
   return end != LbfgsEnd::Stopped;
 }
 
@@ -100,7 +95,6 @@ bool SpacetimeRun::UpdateFields(const Stage& stage)
     fields = before;
     log.resize(rows);
     this->Stopped = true;
-    this->KeepState();
   }
   return going;
 }

@@ -38,7 +38,8 @@ bool SpacetimeRun::MinimiseInWindows(const Stage& stage)
   const std::string name = stage.Name();
   LevelSolver& whole = *this->Solver;
   StateVector& state = this->State.Part;
-  WindowSweep& current = this->State.Sweep;
+  SpacetimeTerms terms;         // E of the whole, now
+  std::vector<double> energies; // after each sweep
   const int sweeps =
     std::max(2, static_cast<int>(std::lround(SweepsOfAll * stage.Iterations / IterationsAtOnce)));
   StageProgress monitor(this->Progress, this->FractionAt(this->State.Next),
@@ -47,56 +48,41 @@ bool SpacetimeRun::MinimiseInWindows(const Stage& stage)
   whole.Constraints.SetLeash(stage.Leash / this->Problem.Spacing);
   const auto record = [&]()
   {
-    this->Record(stage.Pass, name, static_cast<int>(current.Energies.size()) - 1, current.Terms,
+    this->Record(stage.Pass, name, static_cast<int>(energies.size()) - 1, terms,
                  whole.Constraints.MaxViolation(state), stage.Leash);
   };
-  if (!std::exchange(this->State.IsInside, true))
+  whole.Constraints.Project(state);
+  if (!whole.Objective.Evaluate(state, nullptr, terms, &monitor))
   {
-    current = WindowSweep();
-    whole.Constraints.Project(state);
+    this->Stopped = true;
+    return false;
   }
-  if (current.Energies.empty())
+  energies = { terms.E };
+  record();
+  for (int sweep = 0; sweep < sweeps; ++sweep)
   {
-    if (!whole.Objective.Evaluate(state, nullptr, current.Terms, &monitor))
+    const auto windows = this->Windows(sweep);
+    monitor.Done = sweep + 1; // the first is to measure the whole
+    for (std::size_t k = 0; k < windows.size(); ++k)
     {
-      this->Stopped = true;
-      this->KeepState();
-      return false;
-    }
-    current.Energies = { current.Terms.E };
-    record();
-  }
-  for (; current.Sweep < sweeps; ++current.Sweep)
-  {
-    const auto windows = this->Windows(current.Sweep);
-    monitor.Done = current.Sweep + 1; // the first is to measure the whole
-    for (; current.Index < windows.size(); ++current.Index)
-    {
+      const double done = static_cast<double>(k) / static_cast<double>(windows.size());
       const bool isUp = this->TimeIsUp();
-      this->KeepCheckpoint(isUp);
       this->IsCut = this->IsCut || isUp;
-      const double done = static_cast<double>(current.Index) / static_cast<double>(windows.size());
-      if (!isUp && !monitor.Tick(done, {}))
-      {
-        this->Stopped = true;
-        this->KeepState();
-      }
-      if (isUp || this->Stopped || !this->SolveWindow(stage, windows[current.Index], done, monitor))
+      this->Stopped = this->Stopped || (!isUp && !monitor.Tick(done, {}));
+      if (isUp || this->Stopped || !this->SolveWindow(stage, windows[k], done, monitor, terms))
       {
         return false;
       }
     }
-    current.Index = 0;
-    current.Energies.push_back(current.Terms.E);
+    energies.push_back(terms.E);
     record();
     char text[160];
-    std::snprintf(text, sizeof(text), "spacetime: %s, sweep %d, E = %.4g", name.c_str(),
-                  current.Sweep + 1, current.Terms.E);
+    std::snprintf(text, sizeof(text), "spacetime: %s, sweep %d, E = %.4g", name.c_str(), sweep + 1,
+                  terms.E);
     monitor.Text = text;
     // A sweep and the shifted one after it reach every frame's neighbours.
-    const std::size_t last = current.Energies.size() - 1;
-    if (last >= 2 && current.Energies[last - 2] - current.Terms.E <
-                       this->Options.Tolerance * current.Energies[last - 2])
+    const std::size_t last = energies.size() - 1;
+    if (last >= 2 && energies[last - 2] - terms.E < this->Options.Tolerance * energies[last - 2])
     {
       break;
     }
@@ -105,7 +91,7 @@ bool SpacetimeRun::MinimiseInWindows(const Stage& stage)
 }
 
 bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::size_t> window,
-                               double done, Monitor& monitor)
+                               double done, Monitor& monitor, SpacetimeTerms& terms)
 {
   StateVector& state = this->State.Part;
   const FrameView view(this->Problem.Model, this->Solver->Level, window.first, window.second);
@@ -118,10 +104,10 @@ bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::s
   options.MaximumNumberOfIterations = IterationsAtOnce;
   options.Tolerance = 0.0;
   SpacetimeTerms first, last;
-  const auto observer = [&](int iteration, const SpacetimeTerms& terms)
+  const auto observer = [&](int iteration, const SpacetimeTerms& now)
   {
-    (iteration == 0 ? first : last) = terms;
-    last = terms;
+    (iteration == 0 ? first : last) = now;
+    last = now;
     return true;
   };
   class Inner : public Monitor
@@ -135,16 +121,12 @@ bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::s
     double Done;
   } inner(monitor, done);
   const LbfgsEnd end = part.Minimise(options, observer, &inner, memory, own);
-  if (end == LbfgsEnd::Stopped)
-  {
-    this->Stopped = true;
-    this->KeepState(); // the window is to be solved anew
-  }
+  this->Stopped = this->Stopped || end == LbfgsEnd::Stopped;
   if (last.E <= first.E)
   {
     view.Merge(std::move(own), state);
     SpacetimeTerms::Visit([](double& all, double now, double before) { all += now - before; },
-                          this->State.Sweep.Terms, last, first);
+                          terms, last, first);
   }
   return end != LbfgsEnd::Stopped;
 }

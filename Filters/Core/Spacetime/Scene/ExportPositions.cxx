@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr double Rounding = 1e-5;       // [dx]: places that differ by less are the same
-constexpr int SoftEdge = 6;             // frames over which changes come in beside what is kept
 constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
 
 // One object's motion, made exact.
@@ -22,7 +21,7 @@ class ObjectExport
 {
 public:
   ObjectExport(const SpacetimeInput& input, const SpacetimeSetup& setup, std::size_t object,
-               const std::vector<LinearCluster>& clusters, const KeptMotion& kept) :
+               const std::vector<LinearCluster>& clusters) :
     Input(input),
     Setup(setup), Index(object), Slack(ClearanceSlack * input.Scene.Bounds.Width()),
     Weights(input.Tracks[object].Positions.size(), 1.0)
@@ -43,14 +42,8 @@ public:
         this->Balls.back().Radius = ball.Radius * setup.Spacing;
       }
     }
-    if (kept.Region != nullptr)
-    {
-      this->Before = &(*kept.Positions)[object];
-      this->FindKept(*kept.Region);
-    }
   }
 
-  bool IsKept(std::size_t frame) const { return this->Weights[frame] <= 0.0; }
   bool IsFixed(std::size_t frame) const
   {
     return (this->Setup.Model.Flag(static_cast<int>(frame), this->Index) & FixedPosition) != 0;
@@ -58,18 +51,6 @@ public:
 
   /// x in metres, one a frame.
   void MakeExact(std::vector<Vec3>& x) const
-  {
-    this->MeetRows(x);
-    for (std::size_t frame = 0; frame < x.size(); ++frame)
-    {
-      if (this->IsKept(frame))
-      {
-        x[frame] = (*this->Before)[frame];
-      }
-    }
-  }
-
-  void MeetRows(std::vector<Vec3>& x) const
   {
     const std::size_t no = this->Setup.Model.NumberOfObjects;
     for (std::size_t frame = 0; frame < x.size(); ++frame)
@@ -81,8 +62,7 @@ public:
     }
     this->KeepInside(x);
     MoveIntoBalls(
-      this->Balls,
-      [this](std::size_t frame) { return this->IsFixed(frame) || this->IsKept(frame); },
+      this->Balls, [this](std::size_t frame) { return this->IsFixed(frame); },
       this->Setup.FrameStep, [this](std::vector<Vec3>& path) { this->KeepInside(path); }, x);
     for (const LinearCluster* cluster : this->Clusters)
     {
@@ -134,38 +114,13 @@ public:
   }
 
 private:
-  // Rows that bind a frame that is kept are kept whole, as in the solver.
-  void FindKept(const EditRegion& region)
-  {
-    const std::size_t body = this->Setup.Model.NumberOfGas + this->Index;
-    const auto frames = static_cast<int>(this->Weights.size());
-    const auto isKept = [&](int frame) { return !region.Moves(frame, body); };
-    for (int frame = 0; frame < frames; ++frame)
-    {
-      const int inside = std::min(region.First > 0 ? frame - region.First + 1 : frames,
-                                  region.Last + 1 < frames ? region.Last - frame + 1 : frames);
-      this->Weights[frame] = isKept(frame) ? 0.0 : std::min(1.0, inside / (SoftEdge + 1.0));
-    }
-    for (const LinearCluster* cluster : this->Clusters)
-    {
-      if (std::any_of(cluster->Frames().begin(), cluster->Frames().end(), isKept))
-      {
-        for (const int frame : cluster->Frames())
-        {
-          this->Weights[frame] = 0.0;
-        }
-      }
-    }
-  }
-
   const SpacetimeInput& Input;
   const SpacetimeSetup& Setup;
   std::size_t Index;
   double Slack; // m, that the clearance may miss
   std::vector<const LinearCluster*> Clusters;
   std::vector<PositionBall> Balls; // as in the world
-  std::vector<double> Weights;     // of going back to the plan, by frame; 0: kept as it was
-  const std::vector<Vec3>* Before = nullptr;
+  std::vector<double> Weights;     // of going back to the plan, by frame
 };
 
 } // namespace
@@ -186,8 +141,7 @@ std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, std::size_t frame
 }
 
 std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
-                                               const SpacetimeSetup& setup, const KeptMotion& kept,
-                                               StateVector& state,
+                                               const SpacetimeSetup& setup, StateVector& state,
                                                std::vector<std::string>& warnings)
 {
   const SpacetimeModel& model = setup.Model;
@@ -205,7 +159,7 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
       const float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
       x[frame] = setup.ToWorld(VectorAt(p, stride));
     }
-    const ObjectExport object(input, setup, o, clusters, kept);
+    const ObjectExport object(input, setup, o, clusters);
     object.MakeExact(x);
     if (!object.Clear(x))
     {
@@ -219,17 +173,16 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
     for (std::size_t frame = 0; frame < frames; ++frame)
     {
       float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
-      const bool isKept = object.IsKept(frame);
       const Vec3 local = setup.FromWorld(x[frame]);
       Vec3 moved = local - VectorAt(p, stride);
-      if (isKept || moved.norm() < Rounding)
+      if (moved.norm() < Rounding)
       {
         moved.setZero();
       }
-      const bool holds = isKept || model.Flag(static_cast<int>(frame), o) & FixedVelocity;
+      const bool holds = model.Flag(static_cast<int>(frame), o) & FixedVelocity;
       for (int c = 0; c < 3; ++c)
       {
-        p[c * stride] = isKept ? p[c * stride] : static_cast<float>(local[c]);
+        p[c * stride] = static_cast<float>(local[c]);
         p[(3 + c) * stride] += holds ? 0.0f : static_cast<float>(moved[c] - before[c]);
       }
       before = moved;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "Spacetime/Energy/SpacetimeObjective.h"
-#include "Spacetime/Model/EditRegion.h"
 #include "Spacetime/Scene/SpacetimeOutput.h"
 #include "Spacetime/Scene/SpacetimeSetup.h"
 
@@ -18,20 +17,12 @@ namespace waft
 std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, std::size_t frames,
                                   const StateVector& state);
 
-/// What a local edit leaves as it was: all outside its region. Both null: nothing.
-struct KeptMotion
-{
-  const EditRegion* Region = nullptr;
-  const std::vector<std::vector<Vec3>>* Positions = nullptr; // by object and frame [m]
-};
-
 /// Positions by object and frame [m]: exact rows bit-identical, balls and linear rows met in
 /// double, and swept clearance kept: where it is not the motion is moved away from the obstacle,
 /// and falls back towards the planned path where that is not enough. The state is brought to the
 /// same positions. warnings: objects whose clearance could not be kept.
 std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
-                                               const SpacetimeSetup& setup, const KeptMotion& kept,
-                                               StateVector& state,
+                                               const SpacetimeSetup& setup, StateVector& state,
                                                std::vector<std::string>& warnings);
 
 /// A motion's Tracks (fields, air, raw velocities), Particles, Vortices and Wind, and how far it is

@@ -26,10 +26,9 @@ std::vector<int> LevelOfFrames(const SpacetimeModel& model, const TimeLevel& lev
 } // namespace
 
 HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& level,
-                                 const ConstraintTable& table, const ParallelFor& parallel,
-                                 const std::vector<char>& movable) :
+                                 const ConstraintTable& table, const ParallelFor& parallel) :
   Model(model),
-  Level(level), Table(table), Parallel(parallel), Held(HoldUnknowns(model, level, movable)),
+  Level(level), Table(table), Parallel(parallel), Held(HoldUnknowns(model, level)),
   Clusters(model, table, LevelOfFrames(model, level), this->Held), Touched(model)
 {
   this->TakeBalls(LevelOfFrames(model, level));

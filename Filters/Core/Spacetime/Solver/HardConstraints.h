@@ -19,11 +19,10 @@ namespace waft
 class HardConstraints
 {
 public:
-  /// movable: by body; those that are not keep their values, as do all at the level's frames that
-  /// are not free. Rows that bind both what may move and what may not are held as they are. Empty:
-  /// all may move.
+  /// All at the level's frames that are not free keep their values; rows that bind both what may
+  /// move and what may not are held as they are.
   HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
-                  const ParallelFor& parallel, const std::vector<char>& movable = {});
+                  const ParallelFor& parallel);
 
   /// Radius about the planned positions [dx]; zero: none. The user's own requirements win.
   void SetLeash(double radius) { this->Leash = radius; }

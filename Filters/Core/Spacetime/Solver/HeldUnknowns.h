@@ -13,14 +13,12 @@ namespace waft
 
 struct HeldUnknowns
 {
-  bool IsPart = false;          // something is held
-  std::vector<char> Objects;    // [level frame * objects + object]
-  std::vector<std::size_t> Gas; // particles, at all frames
+  bool IsPart = false;       // something is held
+  std::vector<char> Objects; // [level frame * objects + object]
 };
 
-/// All at frames that are not free, and bodies that are not movable (by body; empty: all are).
-HeldUnknowns HoldUnknowns(const SpacetimeModel& model, const TimeLevel& level,
-                          const std::vector<char>& movable);
+/// All at frames that are not free.
+HeldUnknowns HoldUnknowns(const SpacetimeModel& model, const TimeLevel& level);
 
 /// Takes what is held out of a direction.
 void ClearHeld(const SpacetimeModel& model, const TimeLevel& level, const HeldUnknowns& held,

@@ -142,22 +142,15 @@ LbfgsEnd Lbfgs::Minimise(SpacetimeObjective& objective,
 {
   SpacetimeTerms& terms = memory.Terms;
   memory.Gradient.resize(this->Space.Size(), 0.0f);
-  if (!options.GoesOn)
+  constraints.Project(preconditioner, state);
+  if (!objective.Evaluate(state, &memory.Gradient, terms, monitor))
   {
-    constraints.Project(preconditioner, state);
-    memory.Energies.clear();
+    return LbfgsEnd::Stopped;
   }
-  if (memory.Energies.empty())
+  memory.Energies = { terms.E };
+  if (!observer(0, terms))
   {
-    if (!objective.Evaluate(state, &memory.Gradient, terms, monitor))
-    {
-      return LbfgsEnd::Stopped;
-    }
-    memory.Energies.push_back(terms.E);
-    if (!observer(0, terms))
-    {
-      return LbfgsEnd::Stopped;
-    }
+    return LbfgsEnd::Stopped;
   }
   while (!HasConverged(memory.Energies, options.Tolerance))
   {
@@ -173,14 +166,10 @@ LbfgsEnd Lbfgs::Minimise(SpacetimeObjective& objective,
       this->LineSearch(objective, preconditioner, constraints, monitor, state, memory, stopped);
     if (!lower && !stopped && !memory.Pairs.S.empty())
     {
-      CurvaturePairs before = std::exchange(memory.Pairs, CurvaturePairs());
+      memory.Pairs = CurvaturePairs();
       this->Direction(preconditioner, constraints, memory);
       lower =
         this->LineSearch(objective, preconditioner, constraints, monitor, state, memory, stopped);
-      if (stopped)
-      {
-        memory.Pairs = std::move(before);
-      }
     }
     if (stopped)
     {

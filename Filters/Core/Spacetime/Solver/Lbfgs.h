@@ -16,9 +16,8 @@ namespace waft
 struct LbfgsOptions
 {
   int MaximumNumberOfIterations = 100;
-  double Tolerance =
-    1e-2;              // stop when E falls by less than this fraction in 20 iterations; 0: never
-  bool GoesOn = false; // from where the memory is, instead of from a new start
+  /// Stop when E falls by less than this fraction in 20 iterations; 0: never.
+  double Tolerance = 1e-2;
 };
 
 enum class LbfgsEnd
@@ -33,14 +32,6 @@ struct CurvaturePairs // the oldest first
 {
   std::vector<StateVector> S, Y;
   std::vector<double> Rho; // 1 / s.y
-
-  template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
-  {
-    visit(of.S...);
-    visit(of.Y...);
-    visit(of.Rho...);
-  }
 };
 
 /// What the iterations after the present one depend on, besides the state and the objective's
@@ -53,21 +44,6 @@ struct LbfgsMemory
   double Gamma = 1.0;
   SpacetimeTerms Terms;         // of the present iterate
   std::vector<double> Energies; // of all iterates of the last call of Minimise
-
-  template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
-  {
-    visit(of.Pairs...);
-    visit(of.Gradient...);
-    visit(of.Gamma...);
-    visit(of.Terms...);
-    visit(of.Energies...);
-  }
-
-  int NumberOfIterations() const
-  {
-    return this->Energies.empty() ? 0 : static_cast<int>(this->Energies.size()) - 1;
-  }
 };
 
 /// The solver with its work space, of vectors of so many frames.

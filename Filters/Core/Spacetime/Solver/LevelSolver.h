@@ -12,15 +12,12 @@ namespace waft
 /// A level of time with everything that solves on it.
 struct LevelSolver
 {
-  /// history: pairs of L-BFGS; 0: no solver of its own, and lists are not kept. movable: as of
-  /// HardConstraints.
+  /// history: pairs of L-BFGS; 0: no solver of its own, and lists are not kept.
   LevelSolver(const SpacetimeModel& model, const AirFields& fields, const ConstraintTable& table,
-              TimeLevel times, const ParallelFor& parallel, int history,
-              const std::vector<char>& movable = {}) :
+              TimeLevel times, const ParallelFor& parallel, int history) :
     Level(std::move(times)),
     Objective(model, fields, this->Level, parallel, FastestSphKernels(), history > 0),
-    Preconditioner(model, this->Level, parallel),
-    Constraints(model, this->Level, table, parallel, movable)
+    Preconditioner(model, this->Level, parallel), Constraints(model, this->Level, table, parallel)
   {
     if (history > 0)
     {

@@ -6,8 +6,8 @@ from waft.results.place import manifest_in
 
 PLAN = ("planned.vtp", "constraints.vtp", "vortices.vtp")  # what is kept of a plan: its tracks, rows and vortices
 _FOLDER, _KEY = "checkpoint", "key"
-# Of the optimiser; of the assimilation on its way, and when it is done.
-_STATES = ("spacetime.state", "assimilation.state", "assimilated.state")
+# Of the assimilation on its way, and when it is done.
+_STATES = {"assimilation.state", "assimilated.state"}
 
 
 def _manifest_in(below):
@@ -38,5 +38,5 @@ def stages_done(below):
         names = set(below.names(_FOLDER))
     except InputError:  # it is no folder
         return []
-    marks = {"planner": {_KEY}, "assimilation": set(_STATES[1:]), "spacetime": {_STATES[0]}}
+    marks = {"planner": {_KEY}, "assimilation": _STATES}
     return [stage for stage, own in marks.items() if names & own]
