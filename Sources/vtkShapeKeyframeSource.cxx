@@ -15,8 +15,10 @@
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 
@@ -178,11 +180,19 @@ std::size_t CountOf(const waft::KeyframeOptions& options, vtkPolyData* objects)
 
 } // namespace
 
-vtkShapeKeyframeSource::vtkShapeKeyframeSource()
+struct vtkShapeKeyframeSource::Internals
+{
+  waft::StageCache Cache; // each frame that is played asks for the rows
+  vtkNew<vtkPolyData> Kept;
+};
+
+vtkShapeKeyframeSource::vtkShapeKeyframeSource() : Impl(std::make_unique<Internals>())
 {
   waft::TakeDefaults<waft::KeyframeOptions>(*this);
   this->SetNumberOfInputPorts(OBJECTS_PORT + 1);
 }
+
+vtkShapeKeyframeSource::~vtkShapeKeyframeSource() = default;
 
 double vtkShapeKeyframeSource::InRange(const char* property, double value)
 {
@@ -256,17 +266,27 @@ int vtkShapeKeyframeSource::RequestData(vtkInformation*, vtkInformationVector** 
                       "expected a Frame of at most " + std::to_string(last) +
                         ", the last of NumberOfFrames");
   }
-  const std::size_t count = CountOf(options, vtkPolyData::GetData(inputs[OBJECTS_PORT]));
-  Drawing drawing{ options, count, {}, {}, {} };
-  if (waft::Result drawn = drawing.Draw(vtkDataObject::GetData(inputs[INPUT_PORT])); !drawn)
+  Internals& impl = *this->Impl;
+  vtkInformation* surface = inputs[INPUT_PORT]->GetInformationObject(0);
+  const bool varies = this->Shape == SURFACE && surface != nullptr &&
+                      surface->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  if (varies || !impl.Cache.IsCurrent(this, inputs))
   {
-    return waft::Fail(this, outputs, drawn.Message());
+    impl.Cache.Forget();
+    const std::size_t count = CountOf(options, vtkPolyData::GetData(inputs[OBJECTS_PORT]));
+    Drawing drawing{ options, count, {}, {}, {} };
+    if (waft::Result drawn = drawing.Draw(vtkDataObject::GetData(inputs[INPUT_PORT])); !drawn)
+    {
+      return waft::Fail(this, outputs, drawn.Message());
+    }
+    if (!drawing.Remark.empty())
+    {
+      vtkWarningMacro(<< drawing.Remark);
+    }
+    waft::ConstraintsToPolyData(RowsOf(drawing), info, impl.Kept);
+    impl.Cache.MarkCurrent(this, inputs);
   }
-  if (!drawing.Remark.empty())
-  {
-    vtkWarningMacro(<< drawing.Remark);
-  }
-  waft::ConstraintsToPolyData(RowsOf(drawing), info, vtkPolyData::GetData(outputs));
+  vtkPolyData::GetData(outputs)->ShallowCopy(impl.Kept);
   waft::RequestedTime(outputs, 0, info.Time);
   return 1;
 }

@@ -23,6 +23,7 @@
 #include "vtkWaftSourcesModule.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -89,7 +90,7 @@ public:
 
 protected:
   vtkShapeKeyframeSource();
-  ~vtkShapeKeyframeSource() override = default;
+  ~vtkShapeKeyframeSource() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -108,6 +109,8 @@ private:
   friend struct waft::KeyframeOptions;
   friend struct waft::SceneFrame;
   std::vector<std::array<double, 3>> ClassColors;
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
 };
 
 #endif

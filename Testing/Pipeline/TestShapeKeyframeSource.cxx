@@ -7,6 +7,7 @@
 #include "Bridge/Data/SceneData.h"
 
 #include <vtkObjectSource.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkShapeKeyframeSource.h>
 
@@ -62,6 +63,19 @@ TEST(ShapeKeyframeSource, DrawsATextThatLiesOnTheGround)
   {
     EXPECT_FALSE(row.Value.x() > 0.6 && row.Value.y() > 0.2);
   }
+}
+
+TEST(ShapeKeyframeSource, DrawsOnceForAllFrames)
+{
+  vtkNew<vtkShapeKeyframeSource> source;
+  source->SetNumberOfTargets(3);
+  source->UpdateTimeStep(1.0);
+  const vtkPoints* drawn = source->GetOutput()->GetPoints();
+  source->UpdateTimeStep(2.0);
+  EXPECT_EQ(source->GetOutput()->GetPoints(), drawn);
+  source->SetNumberOfTargets(4);
+  source->UpdateTimeStep(3.0);
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 4);
 }
 
 TEST(ShapeKeyframeSource, HasAsManyTargetsAsThereAreObjects)
