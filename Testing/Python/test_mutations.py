@@ -30,7 +30,7 @@ from waft import cli, failures, page, reading, render, synthesis, takes  # noqa:
 from datafiles import write_xml  # noqa: E402
 from waft.files import write_json  # noqa: E402
 
-EVERY = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 127
+EVERY = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 257
 SCENE = {"waft": 1, "title": "Small", "time": {"frames": 31}, "shapes": {"leaf": {"builtin": "leaf"}, "maple": {"builtin": "maple"}},
          "objects": [{"shape": "leaf", "positions": [[-0.6, -0.5, 1.6], [0.6, 0.4, 1.4]]}, {"shape": "maple", "position": [0, 0.9, 0.8]}],
          "obstacles": [{"kind": "box", "min": [0.9, -2, 0], "max": [1.2, -1, 1],
