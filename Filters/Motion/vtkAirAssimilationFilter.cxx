@@ -156,9 +156,10 @@ waft::Result vtkAirAssimilationFilter::Internals::KeepSolution(vtkPolyData* plan
   }
   auto* tracks = this->Kept<vtkPolyData>(TracksPort);
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
-  waft::AddControls(this->Solution.Controls, tracks);
+  waft::AddControls(this->Solution, tracks);
   this->Solution.Tracks = {}; // many, and the output has them
   this->Solution.Controls = {};
+  this->Solution.Free = {};
   waft::ShareEqualArrays(planned->GetPointData(), tracks->GetPointData());
   waft::AddTouchDowns(this->Solution.Constraints, tracks);
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,

@@ -66,6 +66,8 @@ class WidgetTest(WindowTest):
             status, printed, notes = play("animation.xml", pathlib.Path(folder), "watch_animation.py", size=(1400, 1700))
             report = json.loads((pathlib.Path(folder) / "flight" / "report.json").read_text(encoding="utf-8"))
             self.assertEqual(1, report["constraints"]["met"], "the flight was saved")
+            gap = float((pathlib.Path(folder) / "log.gap").read_text(encoding="utf-8"))
+            self.assertLess(gap, 5.0, "seconds in which the window was dead")
         super().check_run(status, printed)
         self.assertIn({"Meshes": "MotionBodiesRepresentation", "Poses": "MotionFaintPathsRepresentation",
                        "Obstacles": "MotionObstaclesRepresentation", "Marks": "MotionMarksRepresentation"},

@@ -17,8 +17,18 @@ LOOK = 50                             # ms
 log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
 view = simple.GetActiveViewOrCreate("RenderView")
 _last = None
+_longest = 0.0
 # Of the Qt that ParaView has, whichever it is; its Python has no binding of it.
 _let_events_come = ctypes.CDLL(None)["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
+
+
+def note_gap(since):
+    """The longest time [s] in which the window was dead stands in a file beside the log."""
+    global _longest
+    if time.monotonic() - since > _longest:
+        _longest = time.monotonic() - since
+        with open(log.name + ".gap", "w", encoding="utf-8") as stream:
+            stream.write(f"{_longest:.2f}")
 
 
 def write(line):
@@ -42,14 +52,15 @@ def end(status=0):
 
 def watch(look, between=LOOK, ends=False):
     """Calls `look` as long as ParaView runs, one call at a time; with `ends` it is one that ends ParaView, and has a deadline."""
-    began = time.monotonic()
+    began = last = time.monotonic()
     is_busy = False
 
     def tick(*_):
-        nonlocal is_busy
+        nonlocal is_busy, last
         if is_busy:
             return
         is_busy = True
+        note_gap(last)
         try:
             look()
             if ends and time.monotonic() - began > DEADLINE:
@@ -57,7 +68,7 @@ def watch(look, between=LOOK, ends=False):
         except Exception:
             traceback.print_exc()
             end(1)
-        is_busy = False
+        is_busy, last = False, time.monotonic()
 
     interactor = view.GetInteractor()
     interactor.AddObserver("TimerEvent", tick)
@@ -70,7 +81,9 @@ def wait_until(condition):
     while not condition():
         if time.monotonic() - began > DEADLINE:
             raise TimeoutError(f"expected an end of what is waited for within {DEADLINE:g} s")
+        before = time.monotonic()
         _let_events_come(0)
+        note_gap(before)
         time.sleep(0.01)
 
 

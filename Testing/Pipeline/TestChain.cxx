@@ -270,7 +270,7 @@ TEST_P(ChainFaces, OneCallGivesWhatJoinedStagesGive)
   if (joined.Has(ChainStage::Assimilation))
   {
     TracksToPolyData(motion.Air.Tracks, info, data);
-    AddControls(motion.Air.Controls, data);
+    AddControls(motion.Air, data);
     AddTouchDowns(motion.Air.Constraints, data);
     ExpectSame(data, joined.At<vtkPolyData>(ChainStage::Assimilation, "Tracks"), "air's tracks");
     VorticesToPolyData(motion.Air.Vortices, info, data);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the files of a flight keep of its data, and what they leave out to be small.
-#include "Base/Half.h"
 #include "Bridge/Files/DataWriting.h"
 #include "Bridge/Files/FlightFiles.h"
 #include "Bridge/Files/SeriesFiles.h"
@@ -89,7 +88,7 @@ TEST(FlightFiles, MotionKeepsAllDigitsAndWhatDrivesItSeven)
   }
 }
 
-TEST(FlightFiles, AnAirIsHalvesToA512thOfWhatIsTypical)
+TEST(FlightFiles, AnAirIsRoundedToWhatIsTypical)
 {
   std::mt19937 random(3);
   std::normal_distribution<float> normal;
@@ -108,20 +107,19 @@ TEST(FlightFiles, AnAirIsHalvesToA512thOfWhatIsTypical)
     air->SetValue(i, before.back());
   }
   image->GetPointData()->AddArray(air);
-  RoundPoints(image, 8, true);
+  RoundPoints(image, 8);
   const double typical = std::sqrt(squares / static_cast<double>(before.size()));
   double off = 0.0;
   for (vtkIdType i = 0; i < air->GetNumberOfValues(); ++i)
   {
     const float value = air->GetValue(i), given = before[static_cast<std::size_t>(i)];
-    EXPECT_EQ(value, FromHalf(ToHalf(value)));
     EXPECT_TRUE(given != 0.0f || value == 0.0f);
     EXPECT_LE(std::abs(value - given), typical / 256);
     off += (value - given) * (value - given);
   }
   EXPECT_LT(std::sqrt(off / static_cast<double>(before.size())), typical / 512);
   air->FillValue(0.0f);
-  RoundPoints(image, 8, true);
+  RoundPoints(image, 8);
   EXPECT_EQ(air->GetValue(0), 0.0f);
 }
 

@@ -24,7 +24,7 @@ from waft import cli  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 from datafiles import write_pvd, write_xml  # noqa: E402
 from waft.measuring import _flights, _two_sample  # noqa: E402
-from waft.measuring._airfield import AirField  # noqa: E402
+from waft.measuring._airfield import AirField, shells  # noqa: E402
 from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, gliding, make_drifters  # noqa: E402
 from waft.measuring._flights import Flights  # noqa: E402
 from waft.measuring._legibility import covered  # noqa: E402
@@ -94,9 +94,9 @@ def turning_air(frames=FRAMES, nodes=9):
     return AirField(np.arange(frames) / RATE, np.repeat(one[None], frames, axis=0), None, [-2.0, -2.0, 0.0], spacing)
 
 
-def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, mark=None):
+def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, mark=None, wind=0.0):
     """What `waft measure` reads of a result: rest is the frame from which all lie, mark one at which all have a ball to pass through,
-    said what an optimiser says of it."""
+    said what an optimiser says of it, wind the correction's force over the air's velocity, by step. All steps are free."""
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     count, frames = positions.shape[:2]
@@ -113,7 +113,8 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
     sample_folder.add(tracks.GetFieldData(), "FramesPerSecond", [RATE])
     for name, value in (said or {}).items():
         sample_folder.add(tracks.GetFieldData(), name, [value])
-    for name in ("optimized", "planned"):
+    sample_folder.add(tracks.GetPointData(), "Free", np.ones(count * frames), np.uint8)
+    for name in ("optimized", "planned", "assimilated"):
         write_xml(tracks, os.path.join(folder, f"{name}.vtp"))
     objects = sample_folder._vertices(positions[:, 0])
     sample_folder.add(objects.GetPointData(), "ObjectId", np.arange(count), np.int32)
@@ -123,7 +124,7 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
         frame, what, until, radius = (mark, 0, mark, 0.02) if rest is None else (rest, 4, frames - 1, 0.0)
         write_folder_rows(folder, positions, frame, what, until, radius, range(count))
     if air is not None:
-        for name, array, factor in (("air", "Velocity", 1.0), ("air_wind", "Wind", 0.0)):
+        for name, array, factor in (("air", "Velocity", np.ones(len(air.times))), ("air_wind", "Wind", np.broadcast_to(wind, len(air.times)))):
             os.makedirs(os.path.join(folder, name))
             entries = []
             for step, time in enumerate(air.times):
@@ -131,7 +132,7 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, m
                 image.SetDimensions(air.velocity.shape[3:0:-1])
                 image.SetOrigin(air.origin)
                 image.SetSpacing(air.spacing)
-                sample_folder.add(image.GetPointData(), array, factor * air.velocity[step].reshape(-1, 3), np.float32)
+                sample_folder.add(image.GetPointData(), array, factor[step] * air.velocity[step].reshape(-1, 3), np.float32)
                 entries.append((float(time), f"{name}/{name}_{step:04d}.vti"))
                 write_xml(image, os.path.join(folder, entries[-1][1]))
             write_pvd(os.path.join(folder, f"{name}.pvd"), entries)
@@ -596,14 +597,25 @@ class DefinitionTest(unittest.TestCase):
         os.makedirs(WORK, exist_ok=True)
         import waft.measuring._drifters as module
 
+        scene = os.path.join(WORK, "drifting.waft.json")
+        drifting = waft.Scene("Drifting")
+        drifting.set_time(80)
+        drifting.add_object("leaf", (0, 0, 2))
+        drifting.add_box((-0.5, -0.5, 0), (0.5, 0.5, 3))
+        drifting.add_wind((1, 0, 0), 0.5, (0, 0, 2), 1.0, 1.0, 1.0)
+        drifting.save(scene)
         kept, module.RESOLUTION = module.RESOLUTION, 16
         try:
-            make_drifters(path, [0.1], frames=80, airs=2, bodies=10)
+            make_drifters(path, [0.1], frames=80, airs=2, bodies=10, scene=scene, lattice=(9, 9, 9))
         finally:
             module.RESOLUTION = kept
         made = Drifters(path).airs([0.1])
         self.assertEqual(len(made), 2)
         self.assertGreater(_flights.variances(made)[0], 0.01)
+        inside = np.all(np.abs(np.concatenate([air.positions for air in made])[..., :2]) < 0.45, axis=2)
+        self.assertFalse((inside & (np.concatenate([air.positions for air in made])[..., 2] < 2.9)).any(), "in the box")
+        self.assertEqual(Drifters(path).lattice, (9, 9, 9))
+        self.assertGreater(Drifters(path).shells[1], Drifters(path).shells[6])
         self.assertEqual(os.listdir(WORK).count("made.npz.part"), 0)
 
 
@@ -632,6 +644,55 @@ class FolderTest(unittest.TestCase):
         self.assertIn("no optimised gas", measured["hidden_hand_gas"].why)
         text = "\n".join(table(measured))
         self.assertIn("not measured: no optimised gas", text)
+
+    def test_what_the_air_alone_brings_to_marks(self):
+        mark = FRAMES - 2
+        rows = {}
+        for name, push in (("carried", 0.0), ("pushed", 0.1)):
+            path = self.path.copy()  # a control along x in the second before the mark
+            path[:, mark - 30:, 0] += push * np.arange(FRAMES - mark + 30) / RATE
+            folder = write_folder(os.path.join(WORK, name), path, air=self.air, mark=mark, wind=np.where(np.arange(FRAMES) < mark - 30, 1, 3))
+            rows[name] = measure(folder, tracks="assimilated")[0]
+        self.assertLess(rows["carried"]["replay_whole_90"].value, 1e-4)
+        self.assertLess(rows["carried"]["replay_last"].value, 1e-4)
+        self.assertTrue(rows["carried"]["replay_last"].met)
+        for key in ("replay_last", "replay_whole"):
+            self.assertAlmostEqual(rows["pushed"][key].value, 0.1 / 4.0, delta=0.005)
+        self.assertFalse(rows["pushed"]["replay_last_90"].met)
+        self.assertAlmostEqual(rows["carried"]["rush"].value, 3.0 / ((mark - 30 + 3.0 * 32) / FRAMES), delta=0.01)
+        for step in (3, 5):
+            os.remove(os.path.join(WORK, "pushed", "air", f"air_{step:04d}.vti"))
+        series = os.path.join(WORK, "pushed", "air.pvd")
+        with open(series, encoding="utf-8") as stream:
+            kept = [line for line in stream if "air_0003" not in line and "air_0005" not in line]
+        with open(series, "w", encoding="utf-8") as stream:
+            stream.writelines(kept)
+        self.assertIn("--keep air", measure(os.path.join(WORK, "pushed"), tracks="assimilated")[0]["replay_last"].why)
+
+    def test_an_air_that_gains_strength_is_seen(self):
+        air = turning_air()
+        self.assertAlmostEqual(measure(self.folder)[0]["stationary"].value, 1.0, places=3)
+        air.velocity = air.velocity * np.where(np.arange(FRAMES) < 60, 1.0, 2.0)[:, None, None, None, None]
+        folder = write_folder(os.path.join(WORK, "gaining"), self.path, air=air)
+        row = measure(folder)[0]["stationary"]
+        self.assertAlmostEqual(row.value, 1.0 / np.sqrt(6.0), places=2, msg="of Du/Dt, which goes with the square")
+        self.assertFalse(row.met)
+
+    def test_shells_are_of_the_waves_that_a_field_has(self):
+        axis = np.arange(32) / 31.0
+        field = np.zeros((32, 32, 32, 3))
+        field[..., 0] = np.sin(2.0 * np.pi * 6.0 * axis)[:, None, None]
+        energies = shells([field], np.full(3, 1.0 / 31.0))
+        self.assertEqual(6, int(np.argmax(energies)))
+        self.assertGreater(energies[5:8].sum(), 0.95 * energies.sum())
+        self.assertAlmostEqual(energies.sum(), 0.5, delta=0.02)  # the mean square
+
+    def test_what_sinks_after_its_last_mark(self):
+        path = np.repeat(places(COUNT)[:, None], FRAMES, axis=1)
+        path[..., 2] = 3.0 - 0.15 * np.arange(FRAMES) / RATE
+        row = measure(write_folder(os.path.join(WORK, "sinking"), path, slip=0.2, mark=20), tracks="assimilated")[0]["sinking"]
+        self.assertAlmostEqual(row.value, 0.75, places=6)
+        self.assertFalse(row.met)
 
     def test_an_optimised_motion_says_what_it_is(self):
         said = {"ReplayError": 0.2, "GasReplayError": -1.0, "GasHiddenHand": 0.3}

@@ -4,6 +4,8 @@ vector: Slip of a small scene is found anew (plate_slip.py).
 
     pvpython run.py test_plate_slip.py
 """
+import contextlib
+import io
 import json
 import pathlib
 import tempfile
@@ -12,6 +14,7 @@ import unittest
 import numpy as np
 
 import plate_slip
+import replay_alone
 import result_files
 import waft
 
@@ -88,6 +91,17 @@ class PlateSlip(unittest.TestCase):
         for number, slip in self.theirs.items():
             _, law = self.law_holds(number, 0)
             self.assertGreater(np.sqrt(np.mean(np.sum((slip[law] - slip[law].mean(axis=0))**2, axis=1))), 0.1)
+
+    def test_a_second_program_lets_bodies_go_to_the_same_misses(self):
+        rows = waft.measure(str(self.out), tracks="assimilated")[0]
+        with contextlib.redirect_stdout(io.StringIO()) as stream:
+            replay_alone.main(self.out)
+        said = stream.getvalue().split()
+        found = {f"replay_{said[at]}{part}": float(said[at + by]) for at in (0, 3) for by, part in ((1, ""), (2, "_90"))}
+        for key, value in found.items():
+            self.assertAlmostEqual(rows[key].value, value, delta=1e-6, msg=key)
+        self.assertLess(rows["replay_last"].value, 0.1)
+        self.assertGreater(rows["replay_whole"].value, rows["replay_last"].value)
 
     def test_each_body_has_factors_of_its_own(self):
         for name in ("DragCoefficient", "Lift", "RotationalLift", "SlippingMass"):

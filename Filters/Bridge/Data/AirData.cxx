@@ -16,14 +16,26 @@
 namespace waft
 {
 
-void AddControls(const std::vector<std::vector<Vec3>>& controls, vtkPolyData* tracks)
+namespace
 {
-  std::vector<Vec3> all;
-  for (const std::vector<Vec3>& own : controls)
+
+template <class Value>
+std::vector<Value> Joined(const std::vector<std::vector<Value>>& lists)
+{
+  std::vector<Value> all;
+  for (const std::vector<Value>& own : lists)
   {
     all.insert(all.end(), own.begin(), own.end());
   }
-  AddVectors(tracks->GetPointData(), names::Control, all);
+  return all;
+}
+
+} // namespace
+
+void AddControls(const AssimilationOutput& air, vtkPolyData* tracks)
+{
+  AddVectors(tracks->GetPointData(), names::Control, Joined(air.Controls));
+  AddBytes(tracks->GetPointData(), names::Free, Joined(air.Free));
 }
 
 void AirToImage(const HalfSeries& air, const HalfSeries& wind, double time, const SceneInfo& info,

@@ -12,8 +12,8 @@ class vtkTable;
 namespace waft
 {
 
-/// `Control` [m/s] as point data of tracks, one list a track in their order.
-void AddControls(const std::vector<std::vector<Vec3>>& controls, vtkPolyData* tracks);
+/// `Control` [m/s] and `Free` as point data of the output's tracks.
+void AddControls(const AssimilationOutput& air, vtkPolyData* tracks);
 
 /// One time of the air: `Velocity` [m/s] and, unless empty, `Wind` [m/s^2]; time is sampled.
 void AirToImage(const HalfSeries& air, const HalfSeries& wind, double time, const SceneInfo& info,

@@ -33,6 +33,7 @@ constexpr const char* WindAcceleration = "WindAcceleration";
 constexpr const char* Force = "Force";
 constexpr const char* AirVelocity = "AirVelocity";
 constexpr const char* Control = "Control"; // of assimilated tracks
+constexpr const char* Free = "Free";       // likewise
 constexpr const char* SPHVelocity = "SPHVelocity";
 constexpr const char* ObjectId = "ObjectId";
 constexpr const char* Orientation = "Orientation";

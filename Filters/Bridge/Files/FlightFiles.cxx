@@ -55,7 +55,6 @@ constexpr double AirInterval = 0.1;
 // Binary digits below the typical value that replay can tell from more: figures of `waft measure`
 // change by some per cent.
 constexpr int AirDigits = 4;
-constexpr int AllAirDigits = 8;       // of halves
 constexpr std::size_t WindSteps = 10; // of the air, from one at which its force is written on
 // What reads back bit for bit beside points: what else poses.csv says but velocities, which follow
 // from points, and time.
@@ -336,7 +335,7 @@ Result Flight::WriteFields()
   if (this->IsAssimilated())
   {
     TracksToPolyData(air.Tracks, this->Info(), drifting);
-    AddControls(air.Controls, drifting);
+    AddControls(air, drifting);
     AddTouchDowns(air.Constraints, drifting);
     WAFT_RETURN_IF_FAILED(this->WriteTracks(drifting, "assimilated.vtp"));
   }
@@ -420,12 +419,15 @@ Result Flight::WriteAir()
   const std::vector<double> times = TimesOf(this->Info().Time);
   const std::vector<std::size_t> steps = Spaced(times, isWhole ? 0.0 : AirInterval);
   DataFileForm form;
-  form.PacksWell = true;
+  form.PacksWell = !isWhole; // which would take longer than the flight
   const auto imageAt = [&](double time, bool isWind)
   {
     vtkNew<vtkImageData> image;
     FieldSeriesToImage((isWind ? air.Wind : air.Velocity).Around(time), time, this->Info(), image);
-    RoundPoints(image, isWhole ? AllAirDigits : AirDigits, isWhole);
+    if (isWind || !isWhole) // else as it was solved with, in halves
+    {
+      RoundPoints(image, AirDigits);
+    }
     return vtkSmartPointer<vtkDataObject>(image);
   };
   WAFT_RETURN_IF_FAILED(WriteSeries(
@@ -433,10 +435,11 @@ Result Flight::WriteAir()
     [&](double time) { return imageAt(time, false); }, steps));
   if (!air.Wind.IsEmpty())
   {
+    const std::vector<std::size_t> apart = Spaced(times, AirInterval);
     std::vector<std::size_t> few;
-    for (std::size_t i = 0; i < steps.size(); i += isWhole ? 1 : WindSteps)
+    for (std::size_t i = 0; i < apart.size(); i += isWhole ? 1 : WindSteps)
     {
-      few.push_back(steps[i]);
+      few.push_back(apart[i]);
     }
     WAFT_RETURN_IF_FAILED(WriteSeries(
       this->Options.Folder, "air_wind", ".vti", times, form,

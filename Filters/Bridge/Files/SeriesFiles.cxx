@@ -3,7 +3,6 @@
 
 #include "Base/AtomicFile.h"
 #include "Base/Characters.h"
-#include "Base/Half.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -63,7 +62,7 @@ std::string QuotedXml(const std::string& text)
   return quoted + quote;
 }
 
-void RoundPoints(vtkImageData* data, int digits, bool toHalves)
+void RoundPoints(vtkImageData* data, int digits)
 {
   for (int index = 0; index < data->GetPointData()->GetNumberOfArrays(); ++index)
   {
@@ -81,8 +80,7 @@ void RoundPoints(vtkImageData* data, int digits, bool toHalves)
       const auto step = static_cast<float>(std::exp2(std::floor(std::log2(typical)) - digits));
       for (vtkIdType i = 0; i < count; ++i)
       {
-        const float rounded = std::nearbyint(values[i] / step) * step;
-        values[i] = toHalves ? FromHalf(ToHalf(rounded)) : rounded;
+        values[i] = std::nearbyint(values[i] / step) * step;
       }
     }
   }

@@ -33,9 +33,8 @@ Result WriteSeries(const std::string& folder, const std::string& name, const std
                    const std::function<vtkSmartPointer<vtkDataObject>(double time)>& at,
                    std::vector<std::size_t> steps = {});
 
-/// Rounds arrays of points to steps that are so many binary digits below their typical value; to
-/// halves besides, where that is wanted.
-void RoundPoints(vtkImageData* data, int digits, bool toHalves);
+/// Rounds arrays of points to steps that are so many binary digits below their typical value.
+void RoundPoints(vtkImageData* data, int digits);
 
 /// A text as the value of an attribute, with its quotes. What cannot be seen is an escape.
 std::string QuotedXml(const std::string& text);

@@ -94,7 +94,7 @@ void MotionOutputs::KeepAir()
   RoundsToTable(air.Rounds, this->Scene, this->Kept<vtkTable>(RoundsPort));
   if (!air.Controls.empty()) // it has come to its end
   {
-    AddControls(air.Controls, tracks);
+    AddControls(air, tracks);
     AddTouchDowns(air.Constraints, tracks);
     VorticesToPolyData(air.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
     ReportToTable(air.Report, this->Scene, this->Kept<vtkTable>(AssimilatedReportPort));

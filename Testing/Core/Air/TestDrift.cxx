@@ -337,6 +337,8 @@ TEST(Drift, ComesToRestByTheGroundEffect)
     EXPECT_LT(last, 0.7 * problem.Law.SettlingSpeed());
     EXPECT_FALSE(IsFreeStep(problem, path, down - 1));
     EXPECT_TRUE(IsFreeStep(problem, path, Frames / 2));
+    EXPECT_FALSE(IsFreeOfGround(problem, path, down - 1));
+    EXPECT_TRUE(IsFreeOfGround(problem, path, Frames / 2));
     const std::vector<Vec3> controls = DriftControls(problem, AirSampler(air), path);
     double largest = 0.0;
     for (std::size_t k = down - 4; k < down; ++k)

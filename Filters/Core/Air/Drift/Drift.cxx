@@ -45,6 +45,13 @@ bool IsFreeStep(const DriftProblem& problem, const std::vector<Vec3>& path, int 
          !problem.Ground.Brakes(0.5 * (path[k] + path[k + 1]), step + 0.5);
 }
 
+bool IsFreeOfGround(const DriftProblem& problem, const std::vector<Vec3>& path, int step)
+{
+  const auto k = static_cast<std::size_t>(step);
+  return problem.Flight[k] >= 1.0 &&
+         problem.Ground.Factor(0.5 * (path[k] + path[k + 1]), step + 0.5) == 1.0;
+}
+
 DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
                         const DriftWeights& weights, int maximumIterations, std::vector<Vec3>& path)
 {

@@ -92,6 +92,9 @@ double ControlInFlight(const DriftProblem& problem, const AirSampler& air,
 
 /// Whether it flies in a step by the air alone, above what brakes its landing.
 bool IsFreeStep(const DriftProblem& problem, const std::vector<Vec3>& path, int step);
+/// Whether nothing but the air and its whole slip moves it in a step beside its control: no surface
+/// brakes, lifts or bears it there either.
+bool IsFreeOfGround(const DriftProblem& problem, const std::vector<Vec3>& path, int step);
 
 /// Moves the path to a local minimum of 1/2 sum Flight |c|^2 dt + Smoothness / 2 sum |dc/dt|^2 dt
 /// + barriers, over all frames that are not fixed at once: Levenberg's method, the Gauss-Newton

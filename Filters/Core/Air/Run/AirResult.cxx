@@ -21,18 +21,22 @@ namespace
 
 constexpr const char* Finished = "finish";
 
-// A body's way as it is now, and its control at each frame.
+// A body's way as it is now, its control at each frame, and which steps are free.
 void Describe(const BodyProblem& body, const AirSampler& air, Track& track,
-              std::vector<Vec3>& controls)
+              std::vector<Vec3>& controls, std::vector<unsigned char>& isFree)
 {
-  const std::vector<Vec3> between = DriftControls(body.In(air), air, track.Positions);
+  const DriftProblem problem = body.In(air);
+  const std::vector<Vec3> between = DriftControls(problem, air, track.Positions);
   controls.assign(track.Positions.size(), Vec3::Zero());
+  isFree.assign(track.Positions.size(), 0);
   for (std::size_t f = 0; f < track.Positions.size(); ++f)
   {
     track.AirVelocities.push_back(air.At(static_cast<int>(f), track.Positions[f]));
     const std::size_t before = f > 0 ? f - 1 : 0;
     const std::size_t after = std::min(f, between.size() - 1);
     controls[f] = 0.5 * (between[before] + between[after]);
+    isFree[f] =
+      f < between.size() && IsFreeOfGround(problem, track.Positions, static_cast<int>(f)) ? 1 : 0;
   }
 }
 
@@ -45,6 +49,7 @@ void KeepPlan(const AirContext& run, AssimilationOutput& output)
   for (const Track& track : output.Tracks)
   {
     output.Controls.emplace_back(track.Positions.size(), Vec3::Zero());
+    output.Free.emplace_back(track.Positions.size(), 0);
   }
   MeasureResiduals(output.Constraints, output.Tracks, run.Input.Objects, run.Obstacles,
                    run.Input.Scene, output.Report);
@@ -72,6 +77,7 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
                       output.Warnings);
   output.Tracks.assign(bodies.Size(), Track()); // in place of what was published
   output.Controls.assign(bodies.Size(), {});
+  output.Free.assign(bodies.Size(), {});
   const AirSampler air(state.Sampled.Velocity);
   run.Parallel(bodies.Size(),
                [&](std::size_t begin, std::size_t end)
@@ -79,7 +85,8 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
                  for (std::size_t o = begin; o < end; ++o)
                  {
                    output.Tracks[o] = FlownTrack(bodies, o);
-                   Describe(bodies.Problems[o], air, output.Tracks[o], output.Controls[o]);
+                   Describe(bodies.Problems[o], air, output.Tracks[o], output.Controls[o],
+                            output.Free[o]);
                  }
                });
   const RowsOfObjects places(output.Constraints);

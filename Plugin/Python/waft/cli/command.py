@@ -218,7 +218,9 @@ def parser() -> argparse.ArgumentParser:
     judge.add_argument("--json", type=path, nargs="?", const="-", metavar="FILE",
                        help="the rows as JSON; without FILE on stdout, instead of the table")
     judge.add_argument("--plots", type=path, metavar="FOLDER", help="a picture of each beside the drifters'; needs matplotlib")
-    judge.add_argument("--scene", type=path, metavar="SCENE", help="the scene that was flown: how well its texts and pictures are to be read")
+    judge.add_argument("--scene", type=path, metavar="SCENE",
+                       help="the scene that was flown: how well its texts and pictures are to be read; of --make-drifters, what acts on "
+                            "them besides")
     judge.add_argument("--drifters", type=path, metavar="FILE", help="the bodies in free air to measure by (default: those that "
                                                                      "come with Waft)")
     judge.add_argument("--make-drifters", type=path, metavar="FILE", help="measure nothing; simulate drifters for the volume, frame "
@@ -371,7 +373,7 @@ def run_measure(options):
 
     if options.make_drifters:
         make_drifters_for(options.folders, options.make_drifters, options.settling_speeds, options.airs, options.seed,
-                          progress=lambda _, text: say(text))
+                          progress=lambda _, text: say(text), scene=options.scene)
         return failures.ALL_MET
     if options.json and options.json != "-":
         check_target(options.json, is_marked_json)

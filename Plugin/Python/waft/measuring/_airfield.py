@@ -5,8 +5,7 @@ import numpy as np
 
 from waft.beneath import Folder
 from waft.failures import InputError
-from waft.measuring._drifters import END, NEAR_GROUND, START
-from waft.measuring._flights import Flights, rms
+from waft.measuring._flights import END, NEAR_GROUND, START, Flights, rms
 from waft.reading import read_image
 from waft.results._arrays import array_of, check_steps
 
@@ -28,9 +27,10 @@ class AirField:
         before = min(int(step), max(len(self.times) - 2, 0))
         after = min(before + 1, len(self.times) - 1)
         share = step - before
-        return (1.0 - share) * self._in(self.velocity[before], places) + share * self._in(self.velocity[after], places)
+        return (1.0 - share) * self.within(self.velocity[before], places) + share * self.within(self.velocity[after], places)
 
-    def _in(self, field, places):
+    def within(self, field, places):
+        """A field [k, j, i, 3] of the lattice at places [n, 3]."""
         last = np.array(field.shape[2::-1]) - 1
         where = np.clip((places - self.origin) / self.spacing, 0.0, last)
         low = np.minimum(where.astype(int), np.maximum(last - 1, 0))
@@ -83,6 +83,35 @@ class AirField:
         path[out] = np.nan
         return Flights(path, flights.rate, ~out, free, slip)
 
+    def _gradients(self, step):
+        """By component of x: the velocity's derivative [k, j, i, 3] along it at a step [1/s]."""
+        v = self.velocity[step].astype(float)
+        return [np.gradient(v, self.spacing[c], axis=2 - c) if v.shape[2 - c] > 1 else np.zeros_like(v) for c in range(3)]
+
+    def _change(self, step, gradients):
+        """Du/Dt [m/s^2] at a step that is neither the first nor the last."""
+        v = self.velocity[step].astype(float)
+        change = (self.velocity[step + 1].astype(float) - self.velocity[step - 1]) / (self.times[step + 1] - self.times[step - 1])
+        return change + sum(v[..., c:c + 1] * gradients[c] for c in range(3))
+
+    def strengths(self, interval=0.1):
+        """Rms of u [m/s], vorticity [1/s] and Du/Dt [m/s^2] over the lattice in each second of the shot [second, 3]."""
+        squares, last = {}, -np.inf
+        for step in range(1, len(self.times) - 1):
+            if self.times[step] - last < interval * (1.0 - 1e-6):
+                continue
+            last = self.times[step]
+            x, y, z = gradients = self._gradients(step)
+            curl = np.stack([y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]], axis=-1)
+            fields = (self.velocity[step], curl, self._change(step, gradients))
+            squares.setdefault(int(last - self.times[0]), []).append([rms(field.reshape(-1, 3)) ** 2 for field in fields])
+        return np.sqrt([np.mean(of_second, axis=0) for _, of_second in sorted(squares.items())]).reshape(-1, 3)
+
+    def shells(self, every=15):
+        """Energy of the velocity [m^2/s^2] by shell of wave number (in waves along the longest side), under Hann's window along each
+        axis, mean over frames."""
+        return shells([self.velocity[step] for step in range(0, len(self.times), every)], self.spacing)
+
     def wind_share(self, every=10):
         """Rms of the wind correction's force over that of the acceleration that the air has of its own, Dv/Dt less the wind's;
         NaN without a wind."""
@@ -91,15 +120,27 @@ class AirField:
             return float("nan")
         force, own = [], []
         for step in steps[::every if len(self.wind) == len(self.times) else 1]:
-            v = self.velocity[step].astype(float)
-            change = (self.velocity[step + 1].astype(float) - self.velocity[step - 1]) / (self.times[step + 1] - self.times[step - 1])
-            for axis, component in ((2, 0), (1, 1), (0, 2)):
-                if v.shape[axis] > 1:
-                    change = change + v[..., component:component + 1] * np.gradient(v, self.spacing[component], axis=axis)
             wind = self.wind[step].astype(float)
             force.append(rms(wind.reshape(-1, 3)) ** 2)
-            own.append(rms((change - wind).reshape(-1, 3)) ** 2)
+            own.append(rms((self._change(step, self._gradients(step)) - wind).reshape(-1, 3)) ** 2)
         return float(np.sqrt(np.mean(force) / np.mean(own))) if np.mean(own) > 0.0 else float("nan")
+
+
+def shells(fields, spacing):
+    """As AirField.shells, of fields [k, j, i, 3] on one lattice."""
+    shape = fields[0].shape[:3]
+    sides = np.array(shape) * np.asarray(spacing)[::-1]
+    numbers = [(np.fft.fftfreq(n) * n).reshape([-1 if axis == a else 1 for a in range(3)]) * (sides.max() / sides[axis])
+               for axis, n in enumerate(shape)]
+    shell = np.rint(np.sqrt(sum(number**2 for number in numbers))).astype(int).ravel()
+    window = np.einsum("k,j,i->kji", *(np.hanning(n + 2)[1:-1] for n in shape))[..., None]
+    total = 0.0
+    for field in fields:
+        own = field.astype(float)
+        own = (own - np.sum(window * own, axis=(0, 1, 2)) / window.sum()) * window
+        waves = np.abs(np.fft.fftn(own, axes=(0, 1, 2))) ** 2
+        total = total + np.bincount(shell, weights=waves.sum(axis=-1).ravel())
+    return total / (len(fields) * np.prod(shape) * np.sum(window**2))
 
 
 def read_air(folder):
@@ -113,6 +154,15 @@ def read_air(folder):
         when, force, _ = _series(folder, "air_wind.pvd", "Wind", frame_of)
         wind = {times.index(time): values for time, values in zip(when, force) if time in times}
     return AirField(times, velocity, wind, *frame_of[:2])
+
+
+def lattice_of(folder):
+    """Points (i, j, k) of the lattice of a folder's air, None without air.pvd."""
+    below = Folder(folder)
+    if below.found("air.pvd") is None:
+        return None
+    _, file = below.steps("air.pvd")[0]
+    return read_image(below.file(file, "an image that is whole")).GetDimensions()
 
 
 def _series(folder, name, array, lattice=None):

@@ -5,22 +5,23 @@ import os
 import zipfile
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft.failures import InputError
 from waft.files import number, whole_file, write_bytes
 from waft.loading import data_file
 from waft.marks import is_marked_zip, marked_zip
-from waft.measuring._flights import Flights
+from waft.measuring._airfield import AirField, shells
+from waft.measuring._flights import END, NEAR_GROUND, START, Flights
 from waft.reading import read_bytes
 
 QUANTUM = 2e-6  # places are whole numbers of this [m]
-START, END = 0.5, 0.8  # of a flight, not free: after the start and before the touch-down [s]
 SHORTEST = 2.0  # flights that are kept [s]
 JOIN = 3  # frames about the end of a glide that another follows
-NEAR_GROUND = 0.3  # a body that ends nearer to the floor has landed; others left the volume [m]
 _ARRAYS = ("Bounds", "FramesPerSecond", "NumberOfFrames", "Seeds", "SettlingSpeeds")
 _MOST_BYTES, _MOST_PLACES = 1 << 30, 20000000  # of a file, and of an air
 RESOLUTION = 64  # voxels along the longest side
+SHELL_FRAMES = 15  # between two whose energy by shell is taken
 
 
 class Drifters:
@@ -39,6 +40,8 @@ class Drifters:
                 self._data = {name: data[name] for name in data.files}
             self.bounds, self.rate, self.frames, self.seeds, self.speeds = (self._data[name] for name in _ARRAYS)
             self.rate, self.frames = float(self.rate), int(self.frames)
+            self.lattice = tuple(int(n) for n in self._data.get("Lattice", ()))
+            self.shells = self._data.get("Shells")
             self._paths = [[_decoded(self._data, s, a) for a in range(len(self.seeds))] for s in range(len(self.speeds))]
             self._check()
         except Exception as error:  # archives and arrays that are none raise errors of many kinds
@@ -51,6 +54,9 @@ class Drifters:
             is_right = array.ndim == 1 and len(array) == (size or max(len(array), 1)) and array.dtype.kind in "if"
             if not is_right or not (np.isfinite(array) & (array >= low) & (array <= high)).all():
                 raise ValueError(f"{what}: expected {size or 'some'} numbers from {low:g} to {high:g}")
+        if self.shells is not None and not (len(self.lattice) == 3 and self.shells.ndim == 1 and self.shells.dtype.kind == "f"
+                                            and np.isfinite(self.shells).all() and (self.shells >= 0.0).all()):
+            raise ValueError("Shells: expected numbers of at least 0 and a Lattice of three")
         if np.any(self.bounds[::2] >= self.bounds[1::2]):
             raise ValueError("Bounds: expected the least and the most of x, y and z in turn")
         counts = [len(paths) for airs in self._paths for paths in airs]
@@ -143,8 +149,10 @@ def _glided(drifters, bodies, speeds, random):
 
 
 def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30.0, frames=300, airs=6, seed=20001, bodies=150,
-                  progress=None):
-    """Simulates airs of the database's kind without obstacles, traces bodies that sink at these speeds [m/s] and writes PATH."""
+                  progress=None, scene=None, lattice=None):
+    """Simulates airs of the database's kind, traces bodies that sink at these speeds [m/s] and writes PATH. scene: a file whose
+    obstacles, winds and vortices act on air and bodies; none without. lattice: points (i, j, k) on which the air's energy by shell of
+    wave number is kept besides."""
     from vtkmodules.vtkFiltersGeneral import vtkPassArrays
     from vtkmodules.vtkFiltersHybrid import vtkTemporalDataSetCache
     from waft import vtkWaftFilters, vtkWaftSources
@@ -152,6 +160,7 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
     content = dict(zip(_ARRAYS, (np.array(bounds, float), np.float64(rate), np.int64(frames), seed + np.arange(airs),
                                  np.array(speeds, float))))
     sides = np.array(bounds, float)[1::2] - np.array(bounds, float)[::2]
+    spectra = []
     for air in range(airs):
         smoke = vtkWaftSources.vtkGridSmokeSource()
         smoke.SetBounds(list(bounds))
@@ -162,15 +171,24 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
         smoke.SetNumberOfEmitters(0)
         smoke.SetSeed(seed + air)
         smoke.SetCacheLimit(64)
+        if scene is not None:
+            reader = vtkWaftSources.vtkMotionSceneReader()
+            reader.SetFileName(os.fspath(scene))
+            for port, given in enumerate((2, 5, 4), 1):  # obstacles, wind, vortices
+                smoke.SetInputConnection(port, reader.GetOutputPort(given))
         velocity = vtkPassArrays()
         velocity.SetInputConnection(smoke.GetOutputPort())
         velocity.AddPointDataArray("Velocity")
         kept = vtkTemporalDataSetCache()  # each speed passes over all frames
         kept.SetInputConnection(velocity.GetOutputPort())
         kept.SetCacheSize(frames)
+        if lattice is not None:
+            spectra.append(_shells_of(kept, bounds, lattice, np.arange(0, frames, SHELL_FRAMES) / rate))
         for index, speed in enumerate(speeds):
             trace = vtkWaftFilters.vtkTrajectoryTraceFilter()
             trace.SetInputConnection(kept.GetOutputPort())
+            if scene is not None:
+                trace.SetInputConnection(2, smoke.GetOutputPort(2))
             trace.SetSettlingSpeed(speed)
             trace.Update()
             paths = _paths(trace.GetOutput(), int(np.ceil(SHORTEST * rate)))
@@ -180,15 +198,31 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
             content.update(_encoded([paths[i] for i in chosen], index, air))
         if progress:
             progress((air + 1) / airs, f"air {air + 1} of {airs} simulated")
+    if spectra:
+        content.update(Lattice=np.array(lattice, np.int64), Shells=np.mean(spectra, axis=0))
     made = io.BytesIO()
     np.savez_compressed(made, **content)
     with whole_file(path, is_marked_zip) as part:
         write_bytes(part, marked_zip(made.getvalue()))
 
 
-def _paths(tracks, shortest):
-    from vtkmodules.util.numpy_support import vtk_to_numpy
+def _shells_of(smoke, bounds, lattice, times):
+    """Energy by shell of the velocity of a source of images, at points of a lattice over the volume."""
+    low, high = np.array(bounds, float)[::2], np.array(bounds, float)[1::2]
+    spacing = (high - low) / (np.array(lattice) - 1)
+    axes = [low[axis] + spacing[axis] * np.arange(lattice[axis]) for axis in range(3)]
+    points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).transpose(2, 1, 0, 3)
+    fields = []
+    for time in times:
+        smoke.UpdateTimeStep(time)
+        image = smoke.GetOutputDataObject(0)
+        velocity = vtk_to_numpy(image.GetPointData().GetArray("Velocity")).reshape(*image.GetDimensions()[::-1], 3)
+        field = AirField([time], [velocity], {}, image.GetOrigin(), image.GetSpacing())
+        fields.append(field.within(velocity, points.reshape(-1, 3)).reshape(points.shape))
+    return shells(fields, spacing)
 
+
+def _paths(tracks, shortest):
     if tracks.GetNumberOfLines() == 0:
         return []
     points = vtk_to_numpy(tracks.GetPoints().GetData())

@@ -13,6 +13,8 @@ BANDS = ((0.1, 0.3), (0.3, 0.6), (0.6, 1.2), (1.2, 2.4))  # Hz
 DISTANCES = np.linspace(0.15, 1.5, 10)  # ends of the bins of pairs [m]
 NEAR = 0.5  # pairs by whose differences the share along their line is judged [m]
 LEAST_PAIRS = 50  # a bin with fewer says nothing
+START, END = 0.5, 0.8  # of a flight, not free: after the start and before the touch-down [s]
+NEAR_GROUND = 0.3  # a body that ends nearer to the floor has landed; others left the volume [m]
 
 
 @dataclass

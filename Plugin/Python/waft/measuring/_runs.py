@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from waft.failures import InputError
-from waft.measuring._drifters import END, START
-from waft.measuring._flights import Flights
+from waft.measuring._flights import END, START, Flights
 from waft.measuring._meshcuts import mesh_cuts
 from waft.reading import dynamics
 from waft.results._arrays import array_of, bounds_of, field_of, object_ids, points_of, polylines, rate_of
@@ -45,6 +44,7 @@ class Run:
     radii: np.ndarray
     inertia: bool
     figures: dict
+    poses_off: float = float("nan")  # how far poses.vtp lies off the tracks in flight at most, over the width
 
     @property
     def width(self):
@@ -70,21 +70,26 @@ def read_run(folder, tracks="optimized"):
     ids, positions, arrays = _tracks(path, data)
     bounds, rate = bounds_of(data, path), rate_of(data, path, *MEASURED_RATES)
     slip, radii = _bodies(below, ids)
-    orientations, agreement, limit = _poses(below, ids, positions.shape[1])
+    orientations, agreement, limit, posed = _poses(below, ids, positions.shape[1])
     rows = _rows(below)
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
     report = record_of(below, "report.json", REPORT) or {}
+    off = np.linalg.norm(posed - positions, axis=2)[flying]
+    width = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
     inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip, arrays.get("Slip")), bounds, arrays, rows, ids, touches,
-               held(rows, ids, positions.shape[1]), orientations, agreement, limit, radii, inertia, dynamics(data))
+               held(rows, ids, positions.shape[1]), orientations, agreement, limit, radii, inertia, dynamics(data),
+               float(off.max()) / width if len(off) else np.nan)
 
 
 def _tracks(path, data):
-    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3]."""
+    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3], Free [object, frame]."""
     ids, order = polylines(data, path, LEAST_FRAMES)
     columns = data.GetPointData()
     arrays = {name: array_of(columns, name, path, 3, high=np.inf, low=-np.inf)[order] for name in ("AirVelocity", "Control", "Residual", "Slip")
               if columns.HasArray(name)}
+    if columns.HasArray("Free"):
+        arrays["Free"] = array_of(columns, "Free", path, kind=int, low=0, high=1)[order] > 0
     return ids, points_of(data, path)[order], arrays
 
 
@@ -103,8 +108,9 @@ def _bodies(folder, ids):
 
 
 def _poses(folder, ids, frames):
-    """Orientations, agreement and limit of turning of poses.vtp, where it is there and has these objects and frames."""
-    unknown = np.full((len(ids), frames, 4), np.nan), np.full(2, np.nan), np.nan
+    """Orientations, agreement, limit of turning and places [object, frame, 3] of poses.vtp, where it is there and has these objects and
+    frames."""
+    unknown = np.full((len(ids), frames, 4), np.nan), np.full(2, np.nan), np.nan, np.full((len(ids), frames, 3), np.nan)
     path = folder.path / "poses.vtp"
     if folder.found("poses.vtp") is None:
         return unknown
@@ -113,11 +119,12 @@ def _poses(folder, ids, frames):
     if order.shape[1] != frames or not np.isin(ids, own).all():
         return unknown
     place = {number: index for index, number in enumerate(own.tolist())}
-    turns = array_of(data.GetPointData(), "Orientation", path, 4)[order[[place[number] for number in ids.tolist()]]]
+    order = order[[place[number] for number in ids.tolist()]]
+    turns = array_of(data.GetPointData(), "Orientation", path, 4)[order]
     told = data.GetFieldData().HasArray
     agreement = field_of(data, "Agreement", path, 2, low=0.0, high=180.0) if told("Agreement") else unknown[1]
     limit = field_of(data, "TurningLimit", path, 1, low=0.0, high=180.0)[0] if told("TurningLimit") else unknown[2]
-    return turns, agreement, limit
+    return turns, agreement, limit, points_of(data, path)[order]
 
 
 def _rows(folder):

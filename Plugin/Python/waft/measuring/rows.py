@@ -11,12 +11,13 @@ from waft.failures import InputError
 from waft.files import check_target
 from waft.marks import is_marked_zip
 from waft.measuring import _flights, _two_sample
-from waft.measuring._airfield import read_air
+from waft.measuring._airfield import lattice_of, read_air
 from waft.measuring._approach import FIRST, LAST, LEAST_BODIES, approach
 from waft.measuring._drifters import Drifters, gliding, make_drifters
 from waft.measuring._facings import facings
 from waft.measuring._flights import rms
 from waft.measuring._gliding import APART, glides, near_pairs
+from waft.measuring._letgo import misses, rush, sinking
 from waft.measuring._legibility import FILES as READABLE, legibility, read_drawings
 from waft.measuring._meshcuts import FILES
 from waft.measuring._runs import TRACKS, largest_residual, read_run
@@ -127,9 +128,9 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
 
 
 def make_drifters_for(folders: Sequence[Path], path: Path, speeds: Optional[Sequence[float]] = None, airs: int = 6, seed: int = 20001,
-                      progress: Optional[Callable[[float, str], Any]] = None) -> None:
+                      progress: Optional[Callable[[float, str], Any]] = None, scene: Optional[Path] = None) -> None:
     """Makes a set of drifters for the volume, frame rate and settling speeds of folders; without a folder for the default volume
-    and rate. speeds: instead of theirs [m/s]."""
+    and rate. speeds: instead of theirs [m/s]. scene: the file that was flown, whose obstacles, winds and vortices are theirs, too."""
     check_target(path, is_marked_zip)
     if not folders:
         if not speeds:
@@ -143,7 +144,7 @@ def make_drifters_for(folders: Sequence[Path], path: Path, speeds: Optional[Sequ
             raise InputError(f"{run.folder}: expected the volume and frame rate of {first.folder}")
     speeds = speeds or sorted({float(slip) for run in runs for slip in run.flights.slip})
     make_drifters(path, speeds, first.bounds.tolist(), first.flights.rate, max(run.flights.positions.shape[1] for run in runs),
-                  airs, seed, progress=progress)
+                  airs, seed, progress=progress, scene=scene, lattice=lattice_of(first.folder))
 
 
 def _measured(runs, given, tracks, drawings, air):
@@ -156,7 +157,8 @@ def _measured(runs, given, tracks, drawings, air):
     notes = reference.lacks(slips, runs[0].bounds, runs[0].flights.rate)
     plain, others = others, gliding(others, airs)
     style = _Style(airs, others, fewest, plain)
-    rows = [*_residuals(runs, air), *_replay(runs, air), *style.rows(""), *_start(airs, others)]
+    rows = [*_residuals(runs, air), *_replay(runs, air), *_let_go(runs, air), *_air(runs, air, reference), *style.rows(""),
+            *_start(airs, others)]
     rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest)
     rows += _gliding(runs) + _turning(runs) + _contacts(runs) + _cuts(runs) + _legible(runs, drawings) + _facings(runs)
     residuals = [largest_residual(run) for run in runs]
@@ -315,6 +317,65 @@ def _drift(flights, air):
         wrong.append(drifting - own)
         all_.append(own)
     return _ratio(rms(np.concatenate(wrong)), rms(np.concatenate(all_)))
+
+
+def _let_go(runs, air):
+    """Whether the air alone brings bodies to their marks, and what it was given so that it does; of the assimilated motion."""
+    rows = [Row("replay_last", "let go a second before each mark: miss over L, median", wanted=(0.0, 1e-3)),
+            Row("replay_last_90", "let go a second before each mark: 90th percentile", wanted=(0.0, 1e-2)),
+            Row("replay_whole", "let go at the start and at lift-offs: miss over L, median"),
+            Row("replay_whole_90", "let go at the start and at lift-offs: 90th percentile"),
+            Row("rush", "rush: correction in the last second before marks over its mean", wanted=(-math.inf, 1.8)),
+            Row("sinking", "sinking: speed down 0.5 to 2 s after the last mark over settling", wanted=(0.8, 1.2)),
+            Row("poses_off", "poses.vtp off these tracks in flight: largest over L")]
+    run, frames = runs[0], runs[0].flights.positions.shape[1]
+    why = ("see each folder" if len(runs) > 1 else "the tracks have no array Free: --tracks assimilated" if "Free" not in run.arrays else
+           "no air.pvd" if air is None else "air.pvd has not every frame: fly with --keep air" if len(air.times) != frames else "")
+    for row in rows:
+        row.why = why or "no mark in free flight"
+    if len(runs) == 1 and "Free" in run.arrays:
+        falls = sinking(run)
+        if len(falls):
+            rows[5].value = _ratio(falls[:, 0].mean(), falls[:, 1].mean())
+        rows[5].why = "nothing flies on after its last mark"
+        rows[6].value = _largest([run.poses_off])
+        rows[6].why = "no poses.vtp"
+    if why:
+        return rows
+    last, whole = misses(run, air)
+    for row, (of, share) in zip(rows, ((last, 50), (last, 90), (whole, 50), (whole, 90))):
+        row.value = float(np.percentile(of, share)) if len(of) else UNKNOWN
+    late, mean = rush(run, air)
+    rows[4].value = _ratio(late, mean)
+    rows[4].why = "the Air has no array Wind" if not air.wind else rows[4].why
+    return rows
+
+
+def _air(runs, air, drifters):
+    """Whether the air is of one strength over the shot, and has the eddies that smoke has on its lattice."""
+    steady = Row("stationary", "stationary: rms of u, vorticity, Du/Dt of the second farthest from the shot's", wanted=(0.7, 1.35))
+    slope = Row("slope", "slope of the air's energy by shell, less that of free smoke", wanted=(-0.4, 0.4))
+    for row in (steady, slope):
+        row.why = "see each folder" if len(runs) > 1 else "no air.pvd"
+    if len(runs) > 1 or air is None:
+        return [steady, slope]
+    strengths = air.strengths()
+    steady.why = "air.pvd has less than a second"
+    if len(strengths):
+        shares = (strengths / np.sqrt(np.mean(strengths**2, axis=0))).ravel()
+        steady.value = float(shares[np.argmax(np.abs(np.log(np.maximum(shares, 1e-9))))])
+    slope.why = "the drifters have no energies on this lattice: --make-drifters FILE DIR --scene SCENE"
+    if drifters.lattice == tuple(air.velocity[0].shape[2::-1]) and drifters.shells is not None:
+        slope.value = _slope(air.shells(), drifters.lattice) - _slope(drifters.shells, drifters.lattice)
+    return [steady, slope]
+
+
+def _slope(energies, lattice):
+    """Of the logarithms of energies by shell, from the fourth to those of three spacings."""
+    shell = np.arange(4, max(max(lattice) // 3 + 1, 6))
+    shell = shell[shell < len(energies)]
+    known = shell[energies[shell] > 0.0]
+    return float(np.polyfit(np.log(known), np.log(energies[known]), 1)[0]) if len(known) > 1 else UNKNOWN
 
 
 def _start(airs, others):
