@@ -47,7 +47,7 @@ UNITS = {name: unit for unit, names in {
     "dx a frame": "VelocityResidual",
     "w, x, y, z": "Orientation Rotation",
     "red, green, blue": "Color Tint",
-    NONE: "Frame ForceType VortexId ObjectId ObjectIdGiven VelocityGiven OrientationGiven TouchDown Settled LiftOff Until Confidence "
+    NONE: "Frame Free ForceType VortexId ObjectId ObjectIdGiven VelocityGiven OrientationGiven TouchDown Settled LiftOff Until Confidence "
           "ObjectCount Kind Row Target Group ClassId ShapeId ObstacleId Status Message Stage Candidate Span Tree Parent Segment Cost Take Met Rows "
           "CurvatureDistance AccelerationDistance Score Reached RetimingFactor Branches Planned Opacity Texture TextureCoordinates Normals DragCoefficient "
           "ReplayError GasReplayError GasHiddenHand RepairedFraction ParticleId Pass Iteration E Ex Ev Ec Clearance Approach Contact "
