@@ -23,11 +23,15 @@ class AirField:
 
     def at(self, places, time):
         """Velocity at places [n, 3] at one time [s]."""
+        return self.over(self.within, places, time)
+
+    def over(self, of, places, time):
+        """What a function gives of the fields before and after a time [s] and of places, between them."""
         step = float(np.clip(np.interp(time, self.times, np.arange(len(self.times))), 0, len(self.times) - 1))
         before = min(int(step), max(len(self.times) - 2, 0))
         after = min(before + 1, len(self.times) - 1)
         share = step - before
-        return (1.0 - share) * self.within(self.velocity[before], places) + share * self.within(self.velocity[after], places)
+        return (1.0 - share) * of(self.velocity[before], places) + share * of(self.velocity[after], places)
 
     def within(self, field, places):
         """A field [k, j, i, 3] of the lattice at places [n, 3]."""

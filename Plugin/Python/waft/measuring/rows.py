@@ -21,6 +21,7 @@ from waft.measuring._letgo import misses, rush, sinking
 from waft.measuring._legibility import FILES as READABLE, legibility, read_drawings
 from waft.measuring._meshcuts import FILES
 from waft.measuring._runs import TRACKS, largest_residual, read_run
+from waft.measuring._slipping import slips
 
 MANY = 20  # objects from which figures about each frame's mean and about pairs mean something
 START_FRAMES = 10
@@ -160,7 +161,7 @@ def _measured(runs, given, tracks, drawings, air):
     rows = [*_residuals(runs, air), *_replay(runs, air), *_let_go(runs, air), *_air(runs, air, reference), *style.rows(""),
             *_start(airs, others)]
     rows += _marks(runs) + _approaches(runs, air) + _witnesses(runs, air, plain) + _landing(runs, fewest)
-    rows += _gliding(runs) + _turning(runs) + _contacts(runs) + _cuts(runs) + _legible(runs, drawings) + _facings(runs)
+    rows += _gliding(runs) + _slips(runs, air) + _turning(runs) + _contacts(runs) + _cuts(runs) + _legible(runs, drawings) + _facings(runs)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -487,6 +488,16 @@ def _gliding(runs):
                 float(np.corrcoef(tilts, speeds)[0, 1]) if known else UNKNOWN, why="no body glides in free flight"),
             Row("agreement", "agreement: poses off what the air turns in half a second, median [deg]", agreement[0], (0.0, 15.0), why=why),
             Row("agreement_90", "agreement: 90th percentile [deg]", agreement[1], (0.0, 45.0), why=why)]
+
+
+def _slips(runs, air):
+    """Whether Slip is what the poses in this air say by the law of a plate."""
+    row = Row("slip", "slip: off the law of a plate in free flight, rms over rms", wanted=(-math.inf, 0.1),
+              why="see each folder" if len(runs) > 1 else "no air.pvd" if air is None else "the tracks have no Slip with Orientation")
+    found = slips(runs[0], air) if len(runs) == 1 and air is not None else None
+    if found is not None and len(found[0]):
+        row.value = _ratio(rms(found[0] - found[1]), rms(found[1]))
+    return [row]
 
 
 def _contacts(runs):
