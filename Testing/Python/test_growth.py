@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The last runs of many in one process take no more memory than those before: what a run leaves behind would add up in a long session.
 
-    pvpython test_growth.py [RUNS]        12 of them, or 30; the last third is held against the others
+    pvpython test_growth.py [RUNS]        8 of them, or 30; the last third is held against the others
 """
 import gc
 import json
@@ -19,7 +19,7 @@ SCENE = {
     "objects": [{"shape": "leaf", "position": [0.0, 0.0, 2.0]}],
     "constraints": [{"kind": "position", "object": 0, "frame": 10, "value": [0.0, 0.0, 1.8], "radius": 0.1}],
 }
-RUNS = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 12
+RUNS = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 8
 LAST = RUNS // 3
 COARSE = {"Assimilation": {"Resolution": 16, "LatticeResolution": 8, "Candidates": 1, "Starts": 0}}
 MOST_GROWTH = 0.02

@@ -4,7 +4,6 @@
 #include "Base/AtomicFile.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -19,7 +18,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t MostKept = 5000000000; // bytes
 constexpr const char* StateEnding = ".state";
 constexpr std::size_t KeyDigits = 64;
 
@@ -37,7 +35,7 @@ bool IsStateName(const std::string& name)
 
 } // namespace
 
-StateStore::StateStore()
+StateStore::StateStore(std::uint64_t most) : Most(most)
 {
   const char* named = std::getenv("WAFT_CACHE");
   const char* home = std::getenv("HOME");
@@ -116,7 +114,7 @@ void StateStore::DropOldest(const std::string& latest) const
   std::sort(held.begin(), held.end());
   for (const auto& [used, bytes, name] : held)
   {
-    if (size > MostKept && name != latest)
+    if (size > this->Most && name != latest)
     {
       (void)this->Kept.Remove(name);
       size -= bytes;

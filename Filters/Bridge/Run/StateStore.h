@@ -4,6 +4,7 @@
 
 #include "Bridge/Run/FolderBelow.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -17,19 +18,21 @@ namespace waft
 class StateStore
 {
 public:
-  StateStore();
+  /// most: bytes, beyond which the oldest go.
+  explicit StateStore(std::uint64_t most = 5000000000);
 
   /// The path of the state of a run; empty where there is none.
   std::string Found(const std::string& key) const;
   /// Has a state written for a run whose key has none: write(path) writes it whole or not at all.
   void Make(const std::string& key, const std::function<Result(const std::string&)>& write) const;
-  /// Takes a file of a folder over as the state of a run; beyond five gigabytes the oldest go.
+  /// Takes a file of a folder over as the state of a run.
   void Keep(const std::string& key, const FolderBelow& folder, const std::string& name) const;
 
 private:
   void DropOldest(const std::string& latest) const;
 
   FolderBelow Kept;
+  std::uint64_t Most;
 };
 
 } // namespace waft
