@@ -63,7 +63,8 @@ def fly(scene, folder, settings):
         database = folder.with_name(f"{folder.name}.vtm")
         if not database.exists():
             make_database(database, settings["Smoke"])
-    waft.synthesize(scene, output=folder, database=database, quality="paper", resume=folder.exists(), _settings=settings).delete()
+    own = {stage: properties for stage, properties in settings.items() if stage != "Smoke"}  # the database has those of the smoke
+    waft.synthesize(scene, output=folder, database=database, quality="paper", resume=folder.exists(), _settings=own).delete()
 
 
 def turning(folder):
