@@ -13,7 +13,8 @@ namespace waft
 {
 namespace
 {
-constexpr int MostSteps = 256; // a frame
+constexpr int MostSteps = 256;       // a frame
+constexpr double MuchFaster = 100.0; // the air across a body than its middle goes through it
 constexpr double LeastContactSteps = 8.0;
 constexpr double StepOfRate = 0.4;    // product of step and fastest rate
 constexpr double SlipOnFloor = 10.0;  // 1/s, at which what touches loses its sideslip
@@ -249,9 +250,12 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
   const bool limited = std::isfinite(fastest);
   events.Slowed = LimitTurning(body, fastest, state);
   const double spin = state.AngularVelocity(body).norm();
-  const double speed = std::max(path.RelativeVelocities[frame].norm(),
-                                Between(path.RelativeVelocities, frame + 1.0).norm()) +
-                       (body.Slips ? state.Velocity(body).norm() : 0.0) + spin * body.Reach;
+  double speed = std::max(path.RelativeVelocities[frame].norm(),
+                          Between(path.RelativeVelocities, frame + 1.0).norm()) +
+                 (body.Slips ? state.Velocity(body).norm() : 0.0) + spin * body.Reach;
+  const double across =
+    path.AirGradients.empty() ? 0.0 : path.AirGradients[frame].norm() * body.Reach;
+  speed = across > MuchFaster * speed ? across : speed;
   const double mobility = body.Mobility * body.Coefficients.DragRatio(speed);
   const double rate = std::max({ spin, mobility * speed, body.Stiffness * speed,
                                  settling.Weight > 0.0 ? 2.0 * SettlingRate : 0.0 });
