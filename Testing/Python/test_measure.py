@@ -786,6 +786,12 @@ class FolderTest(unittest.TestCase):
             with self.assertRaisesRegex(BadInput, "passive-optimized.png: Waft did not write it"):
                 measure(self.folder, plots=plots)
 
+    def test_a_scene_of_drifters_that_is_none_is_named(self):
+        words, place = io.StringIO(), os.path.join(WORK, "nowhere.json")
+        with contextlib.redirect_stderr(words):
+            self.assertEqual(cli.main(["measure", self.folder, "--make-drifters", os.path.join(WORK, "x.npz"), "--scene", place]), 2)
+        self.assertIn(f"{place}: expected a scene file", words.getvalue())
+
     def test_bad_input_is_named(self):
         def cut(name):
             def damage(folder):

@@ -330,6 +330,7 @@ Result Chain::Optimise(Monitor& monitor)
     input.Vortices.insert(input.Vortices.end(), planned.begin(), planned.end());
   }
   SpacetimeOptions motion = this->Options.Optimiser; // likewise
+  motion.CheckpointFile.clear();
   motion.TimeLimit = 0.0;
   if (this->IsKept(ChainStage::Spacetime, input, motion))
   {
@@ -438,6 +439,8 @@ std::string DigestOfRun(const Scene& scene, const SceneWind& wind, const ChainOp
 {
   ChainOptions own = options;
   own.Air.CheckpointFile = own.Air.StateFile = own.Air.EditOf = std::string();
+  own.Optimiser.CheckpointFile.clear();
+  own.Optimiser.CheckpointInterval = 0.0;
   own.Air.TimeLimit = own.Optimiser.TimeLimit = own.Optimiser.MemoryLimit = 0.0;
   const MotionProblem problem{ scene.Info,
                                {},

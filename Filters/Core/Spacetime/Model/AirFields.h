@@ -15,14 +15,6 @@ struct AirFields
   std::vector<Vortex> Vortices; // in dx and frames
   SplineWind Wind;              // estimated
   double Cost = 0.0;            // their own part of E (Paper/FieldPenalty.h)
-
-  template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
-  {
-    visit(of.Vortices...);
-    visit(of.Wind...);
-    visit(of.Cost...);
-  }
 };
 
 } // namespace waft

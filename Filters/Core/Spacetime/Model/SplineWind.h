@@ -29,17 +29,6 @@ struct SplineWind
   std::vector<std::vector<float>> Knots; // (x, y, z, 0) a node [dx / frame^2], or [dx / frame]
   double Drag = 0.0; // 0: an acceleration; otherwise draws velocities with this rate [1 / frame]
 
-  template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
-  {
-    visit(of.Dimensions...);
-    visit(of.Origin...);
-    visit(of.Spacing...);
-    visit(of.FramesPerKnot...);
-    visit(of.Knots...);
-    visit(of.Drag...);
-  }
-
   bool IsEmpty() const { return this->Knots.empty(); }
   std::size_t NumberOfNodes() const { return this->Node(0, 0, this->Dimensions[2]); }
   /// Index of a node in a row of all, x running fastest.

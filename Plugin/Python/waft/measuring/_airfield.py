@@ -161,12 +161,13 @@ def read_air(folder):
 
 
 def lattice_of(folder):
-    """Points (i, j, k) of the lattice of a folder's air, None without air.pvd."""
+    """Points (i, j, k) of the lattice of a folder's air, None without air.pvd or images in it."""
     below = Folder(folder)
     if below.found("air.pvd") is None:
         return None
-    _, file = below.steps("air.pvd")[0]
-    return read_image(below.file(file, "an image that is whole")).GetDimensions()
+    for _, file in below.steps("air.pvd"):
+        return read_image(below.file(file, "an image that is whole")).GetDimensions()
+    return None
 
 
 def _series(folder, name, array, lattice=None):

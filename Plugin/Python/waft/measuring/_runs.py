@@ -44,7 +44,7 @@ class Run:
     radii: np.ndarray
     inertia: bool
     figures: dict
-    poses_off: float = float("nan")  # how far poses.vtp lies off the tracks in flight at most, over the width
+    poses_off: float = float("nan")  # how far poses.vtp lies off the tracks in flight at most [m]
 
     @property
     def width(self):
@@ -75,11 +75,10 @@ def read_run(folder, tracks="optimized"):
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
     report = record_of(below, "report.json", REPORT) or {}
     off = np.linalg.norm(posed - positions, axis=2)[flying]
-    width = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
     inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip, arrays.get("Slip")), bounds, arrays, rows, ids, touches,
                held(rows, ids, positions.shape[1]), orientations, agreement, limit, radii, inertia, dynamics(data),
-               float(off.max()) / width if len(off) else np.nan)
+               float(off.max()) if len(off) else np.nan)
 
 
 def _tracks(path, data):

@@ -133,6 +133,8 @@ def make_drifters_for(folders: Sequence[Path], path: Path, speeds: Optional[Sequ
     """Makes a set of drifters for the volume, frame rate and settling speeds of folders; without a folder for the default volume
     and rate. speeds: instead of theirs [m/s]. scene: the file that was flown, whose obstacles, winds and vortices are theirs, too."""
     check_target(path, is_marked_zip)
+    if scene is not None:
+        read_drawings(scene)  # what is malformed is reported before anything is computed
     if not folders:
         if not speeds:
             raise InputError("drifters: expected a folder, or settling speeds")
@@ -339,7 +341,7 @@ def _let_go(runs, air):
         if len(falls):
             rows[5].value = _ratio(falls[:, 0].mean(), falls[:, 1].mean())
         rows[5].why = "nothing flies on after its last mark"
-        rows[6].value = _largest([run.poses_off])
+        rows[6].value = run.poses_off / run.width
         rows[6].why = "no poses.vtp"
     if why:
         return rows
