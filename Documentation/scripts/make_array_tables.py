@@ -3,9 +3,9 @@
 
     pvpython make_array_tables.py PAGES [--check]
 
-PAGES is the folder Documentation. The arrays are those that the stages give for a small scene of all kinds of rows, which is flown
-here. With --check nothing is written, and the exit status is 1 where a page has another table. An array whose unit is not said below
-is an error."""
+PAGES is the folder Documentation. The arrays are those of the chain's table, which has to have those that the stages give for a small
+scene of all kinds of rows, flown here; of the other stages those that they give. With --check nothing is written, and the exit status
+is 1 where a page has another table. An array whose unit is not known is an error."""
 import pathlib
 import sys
 import tempfile
@@ -14,6 +14,7 @@ from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkTable
 
 import waft
+from waft.run._chain import STAGES
 
 BEGIN, END = "<!-- arrays: by make_array_tables.py -->", "<!-- end of arrays -->"
 EVERYWHERE = {"Bounds", "NumberOfFrames", "FramesPerSecond", "AirDensity", "Seed", "Authored", "Complete"}
@@ -29,38 +30,18 @@ PAGES = {  # whose arrays a page tells of: stages by the names that they have be
     "VortexFitFilter": ["VortexFitFilter"],
 }
 NONE = "-"
-# By name, where a port gives no other. What is counted, numbered, named or a share has none.
+TABLE = {stage["proxy"]: stage["arrays"] for stage in STAGES.values()}
+# Of the stages that the chain's table does not have, by name where it has none of that name. What is counted, numbered, named or a
+# share has none.
 UNITS = {name: unit for unit, names in {
-    "m": "CoreRadius ClearanceRadius RestHeight Shift Thickness Leash MaxViolation LargestRepair Translation Mean Coefficients Radius Ground",
-    "m/s": "Velocity AirVelocity SPHVelocity Slip SettlingSpeed Control ControlRms ControlMedian FlowRms WindRms TopSpeed MeanWind "
-           "BroadsideSpeed Speed",
-    "m/s^2": "Force VortexAcceleration WindAcceleration VortexForce WindForce ResidualForce Residual Wind",
-    "m^2/s^2": "Strength",
-    "s": "Time CenterTime Duration Seconds",
-    "1/s": "Vorticity Damping Follow",
-    "rad/s": "AngularVelocity",
-    "N m": "Torque",
-    "kg": "Mass SlippingMass",
-    "kg/m^2": "AreaDensity",
-    "Pa": "Pressure",
-    "dx": "PositionResidual",
-    "dx a frame": "VelocityResidual",
-    "w, x, y, z": "Orientation Rotation",
-    "red, green, blue": "Color Tint",
-    NONE: "Frame Free ForceType VortexId ObjectId ObjectIdGiven VelocityGiven OrientationGiven TouchDown Settled LiftOff Until Confidence "
-          "ObjectCount Kind Row Target Group ClassId ShapeId ObstacleId Status Message Stage Candidate Span Tree Parent Segment Cost Take Met Rows "
-          "CurvatureDistance AccelerationDistance Score Reached RetimingFactor Branches Planned Opacity Texture TextureCoordinates Normals DragCoefficient "
-          "ReplayError GasReplayError GasHiddenHand RepairedFraction ParticleId Pass Iteration E Ex Ev Ec Clearance Approach Contact "
-          "Separation EvObjects Fields E2 ShareVortices ShareWind ShareGas ShareDrag ShareLanding ShareNone Explained ExplainedLeftOut "
-          "Density Obstacle Simulation Window Rank RelativeError Basis Medoid FirstChild NumberOfChildren NumberOfSegments Before After "
-          "IsConnectible Key Facing FaceUp Lift RotationalLift PressureShift Pace",
-    "rad": "FacingTolerance Spin",
-    "degrees": "Agreement",
-    "degrees a frame": "TurningLimit",
+    "m": "Translation Mean Coefficients Radius",
+    "m/s": "TopSpeed MeanWind",
+    "m/s^2": "WindForce",
+    "1/s": "Vorticity",
+    "w, x, y, z": "Rotation",
+    NONE: "Density Obstacle Simulation Window Rank RelativeError Basis Medoid FirstChild NumberOfChildren NumberOfSegments Before After "
+          "IsConnectible Key Value",
 }.items() for name in names.split()}
-OF_THE_KIND = "of the kind"  # m, m/s, m/s^2 or rad, as the row's Kind says
-PORT_UNITS = {("Constraints", "Value"): OF_THE_KIND, ("Constraints", "Radius"): OF_THE_KIND, ("Report", "Residual"): OF_THE_KIND,
-              ("Particles", "Density"): "kg/m^3", ("Convergence", "Control"): NONE, ("Database", "Value"): NONE}
 TYPES = {"double": "double", "float": "float", "int": "int", "vtkIdType": "int 64", "long": "int 64", "long long": "int 64",
          "unsigned char": "byte", "signed char": "byte", "char": "byte", "string": "text", "unsigned int": "int", "short": "int 16",
          "unsigned short": "int 16", "unsigned long": "int 64", "unsigned long long": "int 64"}
@@ -124,21 +105,43 @@ def arrays_of(data):
                 yield kind, array
 
 
-def rows_of(stage):
-    """Cells of a table's lines; KeyError where an array has no unit."""
-    rows = []
+def known_units():
+    """{array: unit} of the table's outputs, the first that has it, and of the others."""
+    units = dict(UNITS)
+    for arrays in (arrays for stage in TABLE.values() for arrays in stage.values()):
+        for _, array, _, _, unit in arrays:
+            units.setdefault(array, unit or NONE)
+    return units
+
+
+def given_by(stage):
+    """{port: [[of what, array, type, components]]} of what a stage gave."""
+    ports = {}
     client = stage.GetClientSideObject()
     for port in range(client.GetNumberOfOutputPorts()):
         name = stage.SMProxy.GetOutputPortName(port)
         for part, data in parts_of(client.GetOutputDataObject(port)):
             where = f"{name}, `{part}`" if name == "Database" else name  # blocks of other names are the scene's own
             for kind, array in arrays_of(data):
-                own = array.GetName()
-                unit = PORT_UNITS[name, own] if (name, own) in PORT_UNITS else UNITS[own]
-                row = (where, f"`{own}`", kind, TYPES[array.GetDataTypeAsString()], str(components_of(own, array)), unit)
-                if row not in rows:
-                    rows.append(row)
-    return rows
+                row = [kind, array.GetName(), TYPES[array.GetDataTypeAsString()], components_of(array.GetName(), array)]
+                if row not in ports.setdefault(where, []):
+                    ports[where].append(row)
+    return ports
+
+
+def rows_of(stage, name):
+    """Cells of a table's lines; KeyError where an array has no unit, ValueError where a stage gives others than the chain's table has."""
+    given = given_by(stage)
+    if name not in TABLE:
+        units = known_units()
+        return [(port, of, array, kind, count, units[array]) for port, rows in given.items() for of, array, kind, count in rows]
+    told = {port: [row[:4] for row in rows] for port, rows in TABLE[name].items()}
+    for port in {**told, **given}:
+        here, there = told.get(port, []), given.get(port, [])
+        other = [row for row in here + there if row not in here or row not in there]
+        if other:
+            raise ValueError(f"{name}, {port}: in the chain's table or in what the stage gave, not in both: {other}")
+    return [(port, *row) for port, rows in TABLE[name].items() for row in rows]
 
 
 def components_of(name, array):
@@ -152,7 +155,8 @@ def table_of(made, names):
              "numbers, names, shares and the like. All outputs have the field data `Bounds` [m], `NumberOfFrames`,",
              "`FramesPerSecond` [1/s], `AirDensity` [kg/m^3] and `Seed` besides.", ""]
     lines += ["| port | array | of | type | components | unit |", "|---|---|---|---|---|---|"]
-    lines += ["| " + " | ".join(row) + " |" for name in names for row in rows_of(made[name])]
+    lines += [f"| {port} | `{array}` | {of} | {kind} | {count} | {unit or NONE} |"
+              for name in names for port, of, array, kind, count, unit in rows_of(made[name], name)]
     return "\n".join([*lines, END]) + "\n"
 
 

@@ -63,10 +63,10 @@ private:
     vtkSMPropertyHelper(reader, "FileName")
       .Set(vtkSMPropertyHelper(this->Source, "FileName").GetAsString());
     this->Register(reader, this->FreeName(stage.Name));
-    for (const auto& [output, gives] : stage.Outputs)
+    for (const waft::ChainPort& output : stage.Outputs)
     {
-      const int port = waft::PortOf({ stage.Stage, output });
-      this->Scene[output] = { reader, static_cast<unsigned int>(port) };
+      const int port = waft::PortOf({ stage.Stage, output.Name });
+      this->Scene[output.Name] = { reader, static_cast<unsigned int>(port) };
     }
   }
 

@@ -2,6 +2,7 @@
 #include "Chain/ChainTable.h"
 
 #include "Chain/ChainOptions.h"
+#include "Chain/PortArrays.h"
 #include "Scene/SceneFileOptions.h"
 
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 
 namespace waft
 {
@@ -27,6 +29,7 @@ std::vector<OptionField> FieldsOf()
 
 std::vector<ChainStageTraits> MakeStages()
 {
+  const PortArrays arrays;
   constexpr ChainStage scene = ChainStage::Scene;
   constexpr ChainStage planner = ChainStage::Planner;
   constexpr ChainStage air = ChainStage::Assimilation;
@@ -59,12 +62,12 @@ std::vector<ChainStageTraits> MakeStages()
       1,
       all,
       {},
-      { { "Objects", merged },
-        { "Constraints", merged },
-        { "Obstacles", merged },
-        { "Shapes", blocks },
-        { "Vortices", merged },
-        { "Wind", image } },
+      { { "Objects", merged, arrays.Objects },
+        { "Constraints", merged, arrays.Constraints },
+        { "Obstacles", merged, arrays.Obstacles },
+        { "Shapes", blocks, arrays.Shapes },
+        { "Vortices", merged, arrays.Vortices },
+        { "Wind", image, arrays.Wind } },
       FieldsOf<SceneReadOptions>() },
     { planner,
       "Planner",
@@ -78,14 +81,14 @@ std::vector<ChainStageTraits> MakeStages()
         { "Constraints", merged, one, { { { scene, "Constraints" } } } },
         obstacles,
         { "Guides", merged, optional, {} } },
-      { { "Tracks", merged },
-        { "Trees", merged },
-        { "Report", table },
-        { "Constraints", merged },
-        { "Vortices", merged },
-        { "Takes", table },
-        { "Flights", table },
-        { "ObjectReport", table } },
+      { { "Tracks", merged, arrays.Planned },
+        { "Trees", merged, arrays.Trees },
+        { "Report", table, arrays.PlannedReport },
+        { "Constraints", merged, arrays.Constraints },
+        { "Vortices", merged, arrays.Vortices },
+        { "Takes", table, arrays.Takes },
+        { "Flights", table, arrays.Flights },
+        { "ObjectReport", table, arrays.ObjectReport } },
       FieldsOf<PlanOptions, TakeOptions>() },
     { air,
       "Assimilation",
@@ -101,12 +104,12 @@ std::vector<ChainStageTraits> MakeStages()
         wind,
         { "Vortices", merged, optional, { { { scene, "Vortices" } } } },
         shapes(optional) },
-      { { "Tracks", merged },
-        { "Air", image },
-        { "Vortices", merged },
-        { "Constraints", merged },
-        { "Report", table },
-        { "Rounds", table } },
+      { { "Tracks", merged, arrays.Drifted },
+        { "Air", image, arrays.Air },
+        { "Vortices", merged, arrays.Vortices },
+        { "Constraints", merged, arrays.Constraints },
+        { "Report", table, arrays.Report },
+        { "Rounds", table, arrays.Rounds } },
       FieldsOf<AssimilationOptions, TurningOptions>() },
     { optimiser,
       "Spacetime",
@@ -125,12 +128,12 @@ std::vector<ChainStageTraits> MakeStages()
           { { { air, "Vortices" } }, { { scene, "Vortices" }, { planner, "Vortices" } } } },
         wind,
         airs },
-      { { "Tracks", merged },
-        { "Particles", merged },
-        { "Vortices", merged },
-        { "Wind", image },
-        { "Convergence", table },
-        { "Report", table } },
+      { { "Tracks", merged, arrays.Optimised },
+        { "Particles", merged, arrays.Particles },
+        { "Vortices", merged, arrays.Vortices },
+        { "Wind", image, arrays.Wind },
+        { "Convergence", table, arrays.Convergence },
+        { "Report", table, arrays.Report } },
       FieldsOf<SpacetimeOptions>() },
     { ChainStage::Rotation,
       "Rotation",
@@ -149,7 +152,9 @@ std::vector<ChainStageTraits> MakeStages()
         wind,
         rows(optional),
         airs },
-      { { "Meshes", merged }, { "Poses", merged }, { "Report", table } },
+      { { "Meshes", merged, arrays.Meshes },
+        { "Poses", merged, arrays.Poses },
+        { "Report", table, arrays.Report } },
       FieldsOf<RotationOptions>() },
     { ChainStage::VortexFit,
       "VortexFit",
@@ -160,7 +165,7 @@ std::vector<ChainStageTraits> MakeStages()
       { Quality::Full },
       { { "Input", surface, one, { { { optimiser, "Tracks" } } } },
         { "Vortices", merged, optional, {} } },
-      { { "Vortices", merged }, { "Tracks", merged } },
+      { { "Vortices", merged, arrays.FittedVortices }, { "Tracks", merged, arrays.Explained } },
       FieldsOf<VortexFitOptions>() },
   };
 }
@@ -253,6 +258,33 @@ int PortOf(const ChainOutput& output)
                                   [&output](const ChainPort& port)
                                   { return std::strcmp(port.Name, output.Name) == 0; });
   return static_cast<int>(found - ports.begin());
+}
+
+std::vector<ChainArray> ArraysOf(const ChainPort& port)
+{
+  std::vector<ChainArray> arrays;
+  std::istringstream entries(port.Arrays);
+  std::string of;
+  for (std::string entry; std::getline(entries >> std::ws, entry, ';');)
+  {
+    if (const std::size_t colon = entry.find(": "); colon != std::string::npos)
+    {
+      of = entry.substr(0, colon);
+      entry.erase(0, colon + 2);
+    }
+    ChainArray array;
+    array.Of = of;
+    std::istringstream words(entry);
+    words >> array.Name >> array.Type;
+    std::getline(words >> std::ws, array.Unit);
+    if (const std::size_t star = array.Type.find('*'); star != std::string::npos)
+    {
+      array.Components = std::stoi(array.Type.substr(star + 1));
+      array.Type.erase(star);
+    }
+    arrays.push_back(array);
+  }
+  return arrays;
 }
 
 const char* DataTypeOf(PortData data)
@@ -349,6 +381,11 @@ std::string ChainTableAsJson()
     for (const ChainPort& port : stage.Outputs)
     {
       one["outputs"].push_back(port.Name);
+      for (const ChainArray& array : ArraysOf(port))
+      {
+        one["arrays"][port.Name].push_back(
+          { array.Of, array.Name, array.Type, array.Components, array.Unit });
+      }
     }
     for (const OptionField& field : stage.Options)
     {

@@ -62,6 +62,20 @@ struct ChainPort
 {
   const char* Name;
   PortData Gives;
+  /// What it has besides the scene's field data: "points: Time double s; Velocity double*3 m/s;
+  /// whole: ...", each array's name, type, components where they are several, and unit where it
+  /// has one.
+  std::string Arrays;
+};
+
+/// An array of an output.
+struct ChainArray
+{
+  std::string Of; // points, cells, rows (of a table) or whole (field data)
+  std::string Name;
+  std::string Type; // byte, int, float, double or text
+  int Components = 1;
+  std::string Unit; // "of the kind": as the row's Kind says; empty: none
 };
 
 /// An output of a stage.
@@ -103,6 +117,7 @@ bool RunsAt(ChainStage stage, Quality quality);
 std::vector<ChainOutput> GiversOf(const ChainInput& input, Quality quality);
 /// The index of an output among its stage's.
 int PortOf(const ChainOutput& output);
+std::vector<ChainArray> ArraysOf(const ChainPort& port);
 /// Class of VTK of what a port gives or takes.
 const char* DataTypeOf(PortData data);
 
@@ -120,7 +135,8 @@ std::vector<std::pair<std::string, double>> SettingsOf(ChainStage stage, Quality
 
 /// The table as JSON: `stages`, each with `name`, `proxy`, `word`, `sentence`, `share`,
 /// `qualities`, `inputs` ({name: [[[stage, port]]]}, as ChainInput has it), `takes` ({name: [class
-/// of VTK, whether it is needed]}), `outputs`, `options`; `motion`: names of MotionPorts;
+/// of VTK, whether it is needed]}), `outputs`, `arrays` ({output: [[of, name, type, components,
+/// unit]]}), `options`; `motion`: names of MotionPorts;
 /// `qualities`; `settings` ({quality: {stage: {option: value}}}, where they are not the defaults).
 std::string ChainTableAsJson();
 

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ObstacleOptions.h"
 
-#include "Base/Primitives.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneFormat.h"
+#include "Scene/Solids.h"
 
 #include <utility>
 
 namespace waft
 {
+
+namespace
+{
+
+const SolidKind& KindOf(const ObstacleSourceOptions& options)
+{
+  return SolidKinds()[static_cast<std::size_t>(options.Kind) - 1];
+}
+
+} // namespace
 
 Result ObstacleSourceOptions::Make(std::vector<ObstacleMesh>& obstacles) const
 {
@@ -20,27 +30,15 @@ Result ObstacleSourceOptions::Make(std::vector<ObstacleMesh>& obstacles) const
     obstacle.Mesh = std::move(mesh);
     obstacles.push_back(std::move(obstacle));
   };
-  switch (this->Kind)
+  if (this->Kind != ObstacleKind::None)
   {
-    case ObstacleKind::None:
-      break;
-    case ObstacleKind::Box:
-      if (!(this->Size.minCoeff() > 0.0))
-      {
-        return Result::Error("Size: expected extents above 0");
-      }
-      add(MakeBox({ this->Corner, this->Corner + this->Size }));
-      break;
-    case ObstacleKind::Sphere:
-      add(MakeSphere(this->Center, this->Radius));
-      break;
-    case ObstacleKind::Cylinder:
-      if (this->Base == this->Top)
-      {
-        return Result::Error("Top: expected another place than Base");
-      }
-      add(MakeCylinder(this->Base, this->Top, this->Radius));
-      break;
+    const SolidKind& kind = KindOf(*this);
+    const PlainSolid solid = kind.Made(*this);
+    if (!kind.HasVolume(solid))
+    {
+      return Result::Error(kind.ExpectedOfOption);
+    }
+    add(kind.Mesh(solid));
   }
   if (this->Ground)
   {
@@ -58,27 +56,17 @@ std::string ObstacleSourceOptions::Authored() const
   {
     scene["ground"]["height"] = this->GroundHeight;
   }
-  switch (this->Kind)
+  if (this->Kind != ObstacleKind::None)
   {
-    case ObstacleKind::None:
-      break;
-    case ObstacleKind::Box:
-      scene["obstacles"] =
-        SceneJson::array({ { { "kind", "box" },
-                             { "min", FormatVector(this->Corner) },
-                             { "max", FormatVector(this->Corner + this->Size) } } });
-      break;
-    case ObstacleKind::Sphere:
-      scene["obstacles"] = SceneJson::array({ { { "kind", "sphere" },
-                                                { "center", FormatVector(this->Center) },
-                                                { "radius", this->Radius } } });
-      break;
-    case ObstacleKind::Cylinder:
-      scene["obstacles"] = SceneJson::array({ { { "kind", "cylinder" },
-                                                { "base", FormatVector(this->Base) },
-                                                { "top", FormatVector(this->Top) },
-                                                { "radius", this->Radius } } });
-      break;
+    const SolidKind& kind = KindOf(*this);
+    const PlainSolid solid = kind.Made(*this);
+    SceneJson entry = { { "kind", kind.Word } };
+    for (std::size_t i = 0; i < kind.Fields.size(); ++i)
+    {
+      entry[kind.Fields[i].Name] =
+        i < solid.Points.size() ? FormatVector(solid.Points[i]) : SceneJson(solid.Radius);
+    }
+    scene["obstacles"] = SceneJson::array({ entry });
   }
   return scene.dump();
 }

@@ -4,6 +4,7 @@
 #include "Obstacles/SurfaceRepair.h"
 #include "Scene/MeshQueries.h"
 #include "Scene/SceneReader.h"
+#include "Scene/Solids.h"
 
 #include <algorithm>
 #include <cctype>
@@ -63,6 +64,38 @@ bool IsYUp(const SceneNode& node)
   return axis == "y";
 }
 
+const SolidKind* FindSolid(const std::string& word)
+{
+  const std::vector<SolidKind>& kinds = SolidKinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [&](const SolidKind& kind) { return kind.Word == word; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+PlainSolid ReadSolid(const SolidKind& kind, const SceneNode& node)
+{
+  PlainSolid solid;
+  for (const SceneField& field : kind.Fields)
+  {
+    const bool isPoint = field.Holds == SceneValue::Vector;
+    const SceneNode value =
+      node.At(field.Name, isPoint ? "a point [x, y, z]" : "a radius in metres");
+    if (isPoint)
+    {
+      solid.Points.push_back(value.Vector());
+    }
+    else
+    {
+      solid.Radius = value.Number();
+    }
+  }
+  if (!kind.HasVolume(solid))
+  {
+    node.At(kind.Fields[solid.Points.size() - 1].Name, "").Fail(kind.Expected);
+  }
+  return solid;
+}
+
 } // namespace
 
 void SceneReader::ReadObstacles(const SceneNode& node)
@@ -105,9 +138,15 @@ void SceneReader::ReadObstacles(const SceneNode& node)
 
 ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
 {
-  const std::string expected = "box, sphere, cylinder or mesh";
+  std::string expected;
+  for (const SolidKind& one : SolidKinds())
+  {
+    expected += (expected.empty() ? "" : ", ") + std::string(one.Word);
+  }
+  expected += " or mesh";
   const SceneNode kindNode = node.At("kind", expected);
   const std::string kind = kindNode.Text();
+  const SolidKind* solid = FindSolid(kind);
   ObstacleMesh obstacle;
   std::vector<Vec3> positions; // of its reference point, one a frame; none where it stands still
   // Where its reference point is at frame 0.
@@ -119,41 +158,13 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
     return isThere ? reference : positions.front();
   };
   Vec3 reference; // of the mesh as it is made
-  if (kind == "box")
+  if (solid != nullptr)
   {
-    node.CheckFields("boxObstacle");
-    Box box;
-    box.Min = node.At("min", "a corner [x, y, z]").Vector();
-    box.Max = node.At("max", "a corner [x, y, z]").Vector();
-    if (!(box.Size().minCoeff() > 0.0))
-    {
-      node.At("max", "").Fail("a corner above `min` along each axis");
-    }
-    const Vec3 middle = 0.5 * (box.Min + box.Max);
-    const Vec3 shift = first(middle) - middle;
-    box.Min += shift;
-    box.Max += shift;
-    reference = 0.5 * (box.Min + box.Max);
-    obstacle.Mesh = MakeBox(box);
-  }
-  else if (kind == "sphere")
-  {
-    node.CheckFields("sphereObstacle");
-    reference = first(node.At("center", "a point [x, y, z]").Vector());
-    obstacle.Mesh = MakeSphere(reference, node.At("radius", "a radius in metres").Number());
-  }
-  else if (kind == "cylinder")
-  {
-    node.CheckFields("cylinderObstacle");
-    const Vec3 base = node.At("base", "a point [x, y, z]").Vector();
-    const Vec3 top = node.At("top", "a point [x, y, z]").Vector();
-    if (!((top - base).norm() > 0.0))
-    {
-      node.At("top", "").Fail("a point apart from `base`");
-    }
-    reference = first(base);
-    const Vec3 end = top + (reference - base);
-    obstacle.Mesh = MakeCylinder(reference, end, node.At("radius", "a radius in metres").Number());
+    node.CheckFields(kind + "Obstacle");
+    PlainSolid read = ReadSolid(*solid, node);
+    reference = first(solid->Reference(read));
+    read = MovedTo(*solid, read, reference);
+    obstacle.Mesh = solid->Mesh(read);
   }
   else if (kind == "mesh")
   {

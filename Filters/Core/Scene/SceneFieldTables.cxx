@@ -3,6 +3,7 @@
 // and the Python package have it from here.
 #include "Scene/FacingOptions.h"
 #include "Scene/SceneFields.h"
+#include "Scene/Solids.h"
 
 namespace waft
 {
@@ -279,17 +280,13 @@ std::vector<SceneFieldTable> TargetTables()
 
 std::vector<SceneFieldTable> ObstacleTables()
 {
-  return {
-    { "boxObstacle",
-      Fields{ Kind("box"), Corner("min", "lowest corner, m"), Corner("max", "highest corner, m") } +
-        OfObstacles() },
-    { "sphereObstacle", Fields{ Kind("sphere"), Corner("center", "m"),
-                                SceneField("radius", Value::Number, Length, "m").Required() } +
-                          OfObstacles() },
-    { "cylinderObstacle", Fields{ Kind("cylinder"), Corner("base", "middle of the lower disc, m"),
-                                  Corner("top", "middle of the upper disc, m"),
-                                  SceneField("radius", Value::Number, Length, "m").Required() } +
-                            OfObstacles() },
+  std::vector<SceneFieldTable> tables;
+  for (const SolidKind& solid : SolidKinds())
+  {
+    tables.push_back({ std::string(solid.Word) + "Obstacle",
+                       Fields{ Kind(solid.Word) } + solid.Fields + OfObstacles() });
+  }
+  tables.push_back(
     { "meshObstacle",
       Fields{ Kind("mesh"),
               SceneField("file", Value::File, "closed surface, .vtp, .obj, .ply, .stl or .glb")
@@ -298,9 +295,9 @@ std::vector<SceneFieldTable> ObstacleTables()
               SceneField("scale", Value::Number, Coefficient).Or("1"),
               UpOf("which axis of the file is up; default z; not of a .glb, whose y axis is up by "
                    "its format") } +
-        OfObstacles() },
-    { "motionKey", { FrameOf("frame").Required(), Corner("position", "m") } },
-  };
+        OfObstacles() });
+  tables.push_back({ "motionKey", { FrameOf("frame").Required(), Corner("position", "m") } });
+  return tables;
 }
 
 std::vector<SceneFieldTable> AirTables()

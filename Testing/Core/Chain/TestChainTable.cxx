@@ -77,6 +77,34 @@ TEST(ChainTable, PortsFitOneAnother)
   }
 }
 
+TEST(ChainTable, SaysTheArraysOfEachOutput)
+{
+  const std::vector<ChainArray> read = ArraysOf(
+    { "P", PortData::Merged, "points: Frame int; Value double*4 of the kind; whole: Note text" });
+  ASSERT_EQ(read.size(), 3U);
+  EXPECT_EQ(read[0].Of + read[0].Name + read[0].Type + read[0].Unit, "pointsFrameint");
+  EXPECT_EQ(read[0].Components, 1);
+  EXPECT_EQ(read[1].Of + read[1].Name + read[1].Type + read[1].Unit,
+            "pointsValuedoubleof the kind");
+  EXPECT_EQ(read[1].Components, 4);
+  EXPECT_EQ(read[2].Of + read[2].Name + read[2].Type, "wholeNotetext");
+  const std::set<std::string> kinds = { "points", "cells", "rows", "whole" };
+  const std::set<std::string> types = { "byte", "int", "float", "double", "text" };
+  for (const ChainStageTraits& stage : ChainStages())
+  {
+    for (const ChainPort& port : stage.Outputs)
+    {
+      const std::vector<ChainArray> arrays = ArraysOf(port);
+      EXPECT_FALSE(arrays.empty()) << stage.Name << " " << port.Name;
+      for (const ChainArray& array : arrays)
+      {
+        EXPECT_TRUE(kinds.count(array.Of) == 1 && types.count(array.Type) == 1)
+          << stage.Name << " " << port.Name << " " << array.Name;
+      }
+    }
+  }
+}
+
 TEST(ChainTable, TakesOnlyWhatEarlierStagesThatRunGive)
 {
   for (const Quality quality : Qualities)
