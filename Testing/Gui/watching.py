@@ -22,11 +22,21 @@ _longest = 0.0
 _let_events_come = ctypes.CDLL(None)["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
 
 
+def _own_time():
+    """Seconds less those in which this thread could have worked and other programs had the machine."""
+    try:
+        with open("/proc/thread-self/schedstat", encoding="ascii") as stream:
+            waited = int(stream.read().split()[1])
+    except (OSError, IndexError):
+        waited = 0
+    return time.monotonic() - 1e-9 * waited
+
+
 def note_gap(since):
-    """The longest time [s] in which the window was dead stands in a file beside the log."""
+    """The longest time [s] in which the window was dead of itself stands in a file beside the log."""
     global _longest
-    if time.monotonic() - since > _longest:
-        _longest = time.monotonic() - since
+    if _own_time() - since > _longest:
+        _longest = _own_time() - since
         with open(log.name + ".gap", "w", encoding="utf-8") as stream:
             stream.write(f"{_longest:.2f}")
 
@@ -52,7 +62,7 @@ def end(status=0):
 
 def watch(look, between=LOOK, ends=False):
     """Calls `look` as long as ParaView runs, one call at a time; with `ends` it is one that ends ParaView, and has a deadline."""
-    began = last = time.monotonic()
+    began, last = time.monotonic(), _own_time()
     is_busy = False
 
     def tick(*_):
@@ -68,7 +78,7 @@ def watch(look, between=LOOK, ends=False):
         except Exception:
             traceback.print_exc()
             end(1)
-        is_busy, last = False, time.monotonic()
+        is_busy, last = False, _own_time()
 
     interactor = view.GetInteractor()
     interactor.AddObserver("TimerEvent", tick)
@@ -81,7 +91,7 @@ def wait_until(condition):
     while not condition():
         if time.monotonic() - began > DEADLINE:
             raise TimeoutError(f"expected an end of what is waited for within {DEADLINE:g} s")
-        before = time.monotonic()
+        before = _own_time()
         _let_events_come(0)
         note_gap(before)
         time.sleep(0.01)
