@@ -137,7 +137,7 @@ class Assimilated(unittest.TestCase):
         with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, {"WAFT_CACHE": empty}):
             waft.synthesize(str(self.scene), output=str(kept), quality="air", keep=("air", "state"), _settings=COARSE)
             self.assertEqual(len(list((kept / "air").iterdir())), 45, "every frame")
-            self.assertEqual(len(os.listdir(empty)), 1, "in the store as well")
+            self.assertEqual(len(os.listdir(empty)), 2, "in the store as well, beside the air as it was drawn")
             self.assertTrue((kept / "assimilated.state").is_file())
             with_state = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(kept), _settings=COARSE)
             self.assertEqual(with_state.warnings, [])

@@ -73,13 +73,13 @@ class PlateSlip(unittest.TestCase):
 
     def test_slip_is_what_poses_and_air_say(self):
         away, share = self.away_from(self.alone, LEAVES, round(plate_slip.FORGOTTEN * 30))
-        self.assertGreaterEqual(share, 0.75)
-        self.assertLess(away, 0.018)  # of bodies that an earlier air of the rounds turned, and that still agree with the last
+        self.assertGreaterEqual(share, 0.7)
+        self.assertLess(away, 0.022)  # of bodies that an earlier air of the rounds turned, and that still agree with the last
 
     def test_it_is_so_from_the_first_frame_on(self):
         away, share = self.away_from(self.own, LEAVES, 0)
         self.assertGreaterEqual(share, 0.9)
-        self.assertLess(away, 0.015)  # one that would need more control keeps the poses of an earlier air
+        self.assertLess(away, 0.02)  # one that would need more control keeps the poses of an earlier air
 
     def test_large_light_bodies_feel_how_the_air_has_changed_since(self):
         """A feather is four times as long in the gradient of the air, which is a later one than that which turned it."""

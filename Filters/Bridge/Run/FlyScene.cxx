@@ -148,6 +148,19 @@ std::string KeyOf(const FlightRequest& request, const ChainInputs& inputs,
     .substr(std::strlen("sha256:"));
 }
 
+/// Where airs are kept for runs with other marks: among those of finished runs.
+DrawnAirs KeptDrawnAirs()
+{
+  const auto name = [](std::uint64_t key)
+  {
+    return Sha256("drawn air\n" + std::to_string(key) + "\n" + BuildName)
+      .substr(std::strlen("sha256:"));
+  };
+  return { [name](std::uint64_t key) { return StateStore().Found(name(key)); },
+           [name](std::uint64_t key, const std::function<Result(const std::string&)>& write)
+           { StateStore().Make(name(key), write); } };
+}
+
 /// Stops for those stages alone whose best so far is a motion, and keeps what was asked.
 class StageMonitor : public Monitor
 {
@@ -309,6 +322,7 @@ Result Flying::Planned()
 Result Flying::Run()
 {
   ChainInputs inputs = this->Inputs;
+  inputs.Drawn = KeptDrawnAirs();
   bool hasBegun = false;
   inputs.Begins = [&](ChainStage stage)
   {

@@ -298,7 +298,7 @@ Result Chain::Assimilate(Monitor& monitor)
   AssimilationInput problem{ this->ProblemOf(ChainStage::Assimilation),
                              this->Inputs.TheScene.Shapes,
                              this->Options.Turning.value_or(this->Options.Rotation),
-                             this->Inputs.Ranks };
+                             this->Inputs.Ranks, this->Inputs.Drawn };
   AssimilationOptions motion = this->Options.Air; // without what changes nothing of it
   motion.CheckpointFile = motion.StateFile = std::string();
   motion.TimeLimit = 0.0;

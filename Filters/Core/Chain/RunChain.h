@@ -34,6 +34,7 @@ struct ChainInputs
   const MotionDatabase& Database;
   /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
   Communicator* Ranks = nullptr;
+  DrawnAirs Drawn = {};
   /// Called before a stage works.
   std::function<void(ChainStage stage)> Begins = {};
   /// Called when a stage has worked, but for one that was stopped while it planned; a failure ends

@@ -23,6 +23,14 @@ enum Stream : std::uint64_t
   EmitterStream = 104
 };
 
+// Stirring goes on by the rate of the defaults: ten vortices and six winds in 13 s, in blocks of
+// time that each have random numbers of their own.
+constexpr double UsualWidth = 4.0; // m, of the volume whose times are the defaults
+constexpr double BlockSeconds = 6.5;
+constexpr int VorticesOfBlock = 5;
+constexpr int WindsOfBlock = 3;
+constexpr std::uint64_t StreamsOfBlock = 1000;
+
 /// Time of the last frame [s].
 double LastTime(const EnsembleOptions& options)
 {
@@ -77,7 +85,8 @@ double DiameterOf(double length, double coreRadius)
   return low + high;
 }
 
-Vortex MakeVortex(const EnsembleOptions& options, Random& random, int id)
+// In a stretch of time.
+Vortex MakeVortex(const EnsembleOptions& options, Random& random, int id, double from, double to)
 {
   const double width = options.Bounds.Width();
   Vortex vortex;
@@ -102,11 +111,11 @@ Vortex MakeVortex(const EnsembleOptions& options, Random& random, int id)
   vortex.Strength =
     turn * In(random, options.VortexAcceleration) / LargestVortexProfile(length, vortex.CoreRadius);
   vortex.Duration = In(random, options.VortexDuration);
-  vortex.CenterTime = random.Uniform(-options.WarmUpSeconds, LastTime(options));
+  vortex.CenterTime = random.Uniform(from, to);
   return vortex;
 }
 
-AnalyticWind MakeWind(const EnsembleOptions& options, Random& random)
+AnalyticWind MakeWind(const EnsembleOptions& options, Random& random, double from, double to)
 {
   AnalyticWind wind;
   wind.Center = random.InBox(Inner(options.Bounds, 0.1));
@@ -114,8 +123,16 @@ AnalyticWind MakeWind(const EnsembleOptions& options, Random& random)
   wind.Strength = In(random, options.WindAcceleration);
   wind.Radius = options.Bounds.Width() * In(random, options.WindRadius);
   wind.Duration = In(random, options.WindDuration);
-  wind.CenterTime = random.Uniform(-options.WarmUpSeconds, LastTime(options));
+  wind.CenterTime = random.Uniform(from, to);
   return wind;
+}
+
+// Whether it is ever felt between two times.
+template <class Force>
+bool IsFelt(const Force& force, double from, double to)
+{
+  const double reach = StirringReach * force.Duration;
+  return force.CenterTime + reach > from && force.CenterTime - reach < to;
 }
 
 TriangleMesh MakeObstacle(const EnsembleOptions& options, Random& random)
@@ -195,6 +212,52 @@ Result EnsembleOptions::Validate() const
   return result;
 }
 
+double TimeScaleOf(double width)
+{
+  return std::sqrt(width / UsualWidth);
+}
+
+SmokeForces StirringForces(const Box& volume, std::uint64_t seed, double from, double to)
+{
+  const double scale = TimeScaleOf(volume.Width());
+  EnsembleOptions options;
+  options.Bounds = volume;
+  for (Range* durations : { &options.VortexDuration, &options.WindDuration })
+  {
+    for (double& seconds : *durations)
+    {
+      seconds *= scale;
+    }
+  }
+  const double reach = StirringReach * options.VortexDuration.back(); // the longest
+  const double block = scale * BlockSeconds;
+  SmokeForces forces;
+  int id = 0;
+  for (std::uint64_t b = 0; - reach + static_cast<double>(b) * block < to + reach; ++b)
+  {
+    const double begin = -reach + static_cast<double>(b) * block;
+    Random vortices(seed, VortexStream + StreamsOfBlock * (b + 1));
+    for (int v = 0; v < VorticesOfBlock; ++v)
+    {
+      const Vortex vortex = MakeVortex(options, vortices, id++, begin, begin + block);
+      if (IsFelt(vortex, from, to))
+      {
+        forces.Vortices.push_back(vortex);
+      }
+    }
+    Random winds(seed, WindStream + StreamsOfBlock * (b + 1));
+    for (int w = 0; w < WindsOfBlock; ++w)
+    {
+      const AnalyticWind wind = MakeWind(options, winds, begin, begin + block);
+      if (IsFelt(wind, from, to))
+      {
+        forces.Winds.push_back(wind);
+      }
+    }
+  }
+  return forces;
+}
+
 Result MakeEnsemble(const EnsembleOptions& options, Ensemble& ensemble)
 {
   if (Result valid = options.Validate(); !valid)
@@ -202,15 +265,17 @@ Result MakeEnsemble(const EnsembleOptions& options, Ensemble& ensemble)
     return valid;
   }
   ensemble = Ensemble();
+  const double first = -options.WarmUpSeconds;
+  const double last = LastTime(options);
   Random vortices(options.Seed, VortexStream);
   for (int v = 0; v < options.NumberOfVortices; ++v)
   {
-    ensemble.Forces.Vortices.push_back(MakeVortex(options, vortices, v));
+    ensemble.Forces.Vortices.push_back(MakeVortex(options, vortices, v, first, last));
   }
   Random winds(options.Seed, WindStream);
   for (int w = 0; w < options.NumberOfWinds; ++w)
   {
-    ensemble.Forces.Winds.push_back(MakeWind(options, winds));
+    ensemble.Forces.Winds.push_back(MakeWind(options, winds, first, last));
   }
   Random obstacles(options.Seed, ObstacleStream);
   for (int o = 0; o < options.NumberOfObstacles; ++o)

@@ -117,6 +117,21 @@ double CoreRadiusForDiameter(double length, double diameter);
 /// The largest value of VortexProfile over the distances [1/m].
 double LargestVortexProfile(double length, double coreRadius);
 
+/// Of the times of an air that is stirred by accelerations as the defaults have them, in a volume
+/// of a width [m]: the square root of the width over 4 m.
+double TimeScaleOf(double width);
+
+/// What of its peak a force that stirs has to have at a time to be felt then (the smoke's
+/// NegligibleForce), and so many standard deviations from its middle it has that.
+inline constexpr double StirringLeast = 0.01;
+inline constexpr double StirringReach = 3.0348542587702927;
+
+/// The forces that are felt between two times [s] of an air that is stirred from long before time 0
+/// on, for ever: the defaults' vortices and winds by their rate, times as TimeScaleOf has them.
+/// What a seed has at a time does not hang on the stretch that is asked for. The same on every
+/// machine.
+SmokeForces StirringForces(const Box& volume, std::uint64_t seed, double from, double to);
+
 /// The scene of a seed: the same on every machine.
 Result MakeEnsemble(const EnsembleOptions& options, Ensemble& ensemble);
 

@@ -10,9 +10,6 @@ namespace waft
 namespace
 {
 
-/// Forces weaker than this part of their peak are left out.
-constexpr double NegligibleFactor = 1e-5;
-
 std::array<float, 3> ToFloats(const Vec3& v)
 {
   return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
@@ -42,7 +39,7 @@ void SmokeSolver::Internals::AddVortices(double time, const ParallelFor& paralle
   for (const Vortex& vortex : this->Forces.Vortices)
   {
     const double factor = vortex.TimeFactor(time);
-    if (factor < NegligibleFactor)
+    if (factor < this->Options.NegligibleForce)
     {
       continue;
     }
@@ -77,7 +74,7 @@ void SmokeSolver::Internals::AddWinds(double time, double dt, const ParallelFor&
   {
     const double s = (time - wind.CenterTime) / wind.Duration;
     const double factor = std::exp(-0.5 * s * s);
-    if (factor < NegligibleFactor)
+    if (factor < this->Options.NegligibleForce)
     {
       continue;
     }

@@ -76,6 +76,8 @@ struct SmokeOptions : AirRun
   double Tolerance = 1e-4;
   int MaximumIterations = 200;
   double AirDensity = 1.2;
+  /// Vortices and winds are left out at times at which they have less of their peak.
+  double NegligibleForce = 1e-5;
 
   Result Validate() const;
 

@@ -31,6 +31,15 @@ struct SmokeState
   double Time = 0.0;          // s
   double PotentialStep = 0.0; // s, of the last pressure solve
   std::vector<std::vector<float>> Arrays;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Frame...);
+    visit(of.Time...);
+    visit(of.PotentialStep...);
+    visit(of.Arrays...);
+  }
 };
 
 /// Begin, optionally SetSolids, then Step once a frame: the first Step reaches frame 0 (through the

@@ -7,12 +7,15 @@
 #include "Air/Run/AssimilationState.h"
 #include "Base/Primitives.h"
 #include "Base/Random.h"
+#include "Base/TemporaryFolder.h"
 #include "Grid/SmokeEnsemble.h"
 #include "StraightFlights.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
 using namespace waft;
 
@@ -139,8 +142,16 @@ TEST(AirSymmetry, ImageOfAnAirIsTheAirOfTheImages)
     AirScene turned = scene;
     turned.Forces = Image(all[k], scene.Smoke.Bounds, scene.Forces);
     EXPECT_LT(Difference(Image(all[k], air), Simulated(turned)), 2e-3) << all[k].Text();
+    SmokeState own, begun;
+    Simulated(scene, nullptr, &own);
+    Simulated(turned, nullptr, &begun);
+    ASSERT_TRUE(TakeImage(all[k], scene, own));
+    EXPECT_EQ(own.Frame, begun.Frame);
+    EXPECT_LT(Difference(Simulated(turned, nullptr, &own), Simulated(turned, nullptr, &begun)),
+              2e-3)
+      << all[k].Text();
   }
-  EXPECT_EQ(AirSymmetries({ Vec3(0, 0, 0), Vec3(2, 3, 2) }).size(), 1u);
+  EXPECT_EQ(AirSymmetries({ Vec3(0, 0, 0), Vec3(2, 3, 2) }).size(), 4u);
 }
 
 TEST(AirSimulation, FollowsWhatItIsSteeredTo)
@@ -282,6 +293,50 @@ TEST(AirAssimilation, AnotherSeedIsAnotherAirAndTheScenesOwnTheSame)
   ++options.Seed;
   EXPECT_NE(Assimilated(input, options).Air->Velocity.Values, own.Air->Velocity.Values);
   EXPECT_NE(KeyOf(input, options).Surroundings, key);
+}
+
+TEST(AirAssimilation, ARunWithOtherMarksBeginsWithTheAirThatWasDrawn)
+{
+  const test::TemporaryFolder folder;
+  int found = 0, made = 0;
+  AssimilationInput input = Leaves();
+  const auto path = [&](std::uint64_t key) { return folder.File("drawn-" + std::to_string(key)); };
+  input.Drawn.Found = [&](std::uint64_t key)
+  {
+    found += std::filesystem::exists(path(key)) ? 1 : 0;
+    return path(key);
+  };
+  input.Drawn.Make = [&](std::uint64_t key, const std::function<Result(const std::string&)>& write)
+  {
+    ++made;
+    EXPECT_TRUE(write(path(key)));
+  };
+  const AssimilationOutput plain = Assimilated(Leaves(), Small());
+  const auto expectSame = [&plain](const AssimilationOutput& other)
+  {
+    EXPECT_EQ(plain.Air->Velocity.Values, other.Air->Velocity.Values);
+    EXPECT_EQ(plain.Tracks[3].Positions, other.Tracks[3].Positions);
+  };
+  expectSame(Assimilated(input, Small()));
+  EXPECT_EQ(std::make_pair(found, made), std::make_pair(0, 1));
+  expectSame(Assimilated(input, Small()));
+  EXPECT_EQ(std::make_pair(found, made), std::make_pair(1, 1));
+  // Other marks: of the eight images another one may be best, but nothing is drawn again.
+  AssimilationInput other = input;
+  other.Constraints[4].Value += Vec3(0.1, 0.1, 0.0);
+  Assimilated(other, Small());
+  EXPECT_EQ(std::make_pair(found, made), std::make_pair(2, 1));
+  // Another obstacle or seed: another air.
+  other.Scene.Seed += 1;
+  Assimilated(other, Small());
+  EXPECT_EQ(std::make_pair(found, made), std::make_pair(2, 2));
+  // What is damaged is drawn anew.
+  for (const auto& entry : std::filesystem::directory_iterator(folder.Path()))
+  {
+    std::filesystem::resize_file(entry.path(), 1000);
+  }
+  expectSame(Assimilated(input, Small()));
+  EXPECT_EQ(made, 3);
 }
 
 TEST(AirAssimilation, ControlIsWhatTheAirDoesNotExplain)

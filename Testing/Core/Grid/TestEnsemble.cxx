@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 using namespace waft;
 
@@ -34,6 +36,70 @@ TEST(Ensemble, IsDescribedByItsSeed)
   options.Seed = 8;
   ASSERT_TRUE(MakeEnsemble(options, b));
   EXPECT_NE(a.Forces.Vortices[0].P1, b.Forces.Vortices[0].P1);
+}
+
+TEST(Stirring, GoesOnByARateOverAnAbsoluteTimeLine)
+{
+  const Box volume{ Vec3(-2, -2, 0), Vec3(2, 2, 4) };
+  const SmokeForces some = StirringForces(volume, 7, 0.0, 10.0);
+  const SmokeForces more = StirringForces(volume, 7, 0.0, 40.0);
+  const SmokeForces later = StirringForces(volume, 7, 30.0, 40.0);
+  const SmokeForces other = StirringForces(volume, 8, 0.0, 10.0);
+  EXPECT_NE(some.Vortices.front().P1, other.Vortices.front().P1);
+  // At each time both have the same forces.
+  const auto felt = [](const SmokeForces& forces, double time)
+  {
+    std::vector<Vortex> all;
+    std::copy_if(forces.Vortices.begin(), forces.Vortices.end(), std::back_inserter(all),
+                 [time](const Vortex& vortex) { return vortex.TimeFactor(time) > StirringLeast; });
+    return all;
+  };
+  const auto expectSame = [&](const SmokeForces& one, const SmokeForces& two, double time)
+  {
+    const std::vector<Vortex> a = felt(one, time);
+    const std::vector<Vortex> b = felt(two, time);
+    ASSERT_EQ(a.size(), b.size()) << time;
+    EXPECT_FALSE(a.empty());
+    for (std::size_t v = 0; v < a.size(); ++v)
+    {
+      EXPECT_EQ(a[v].VortexId, b[v].VortexId);
+      EXPECT_EQ(a[v].P1, b[v].P1);
+      EXPECT_EQ(a[v].CenterTime, b[v].CenterTime);
+    }
+  };
+  for (const double time : { 0.0, 3.0, 10.0 })
+  {
+    expectSame(some, more, time);
+  }
+  for (const double time : { 30.0, 40.0 })
+  {
+    expectSame(later, more, time);
+  }
+  // By the rate of the defaults, from long before the beginning on.
+  const auto between = [&](double from, double to)
+  {
+    return std::count_if(more.Vortices.begin(), more.Vortices.end(),
+                         [&](const Vortex& vortex)
+                         { return vortex.CenterTime >= from && vortex.CenterTime < to; });
+  };
+  EXPECT_NEAR(static_cast<double>(between(0.0, 39.0)), 30.0, 5.0);
+  EXPECT_GT(between(-12.0, 0.0), 0);
+}
+
+TEST(Stirring, TimesGoAsTheSquareRootOfTheWidth)
+{
+  const SmokeForces usual = StirringForces({ Vec3(-2, -2, 0), Vec3(2, 2, 4) }, 3, 0.0, 10.0);
+  const SmokeForces small = StirringForces({ Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1) }, 3, 0.0, 5.0);
+  EXPECT_EQ(TimeScaleOf(1.0), 0.5);
+  ASSERT_EQ(usual.Vortices.size(), small.Vortices.size());
+  for (std::size_t v = 0; v < usual.Vortices.size(); ++v)
+  {
+    EXPECT_NEAR(small.Vortices[v].CenterTime, 0.5 * usual.Vortices[v].CenterTime, 1e-12);
+    EXPECT_NEAR(small.Vortices[v].Duration, 0.5 * usual.Vortices[v].Duration, 1e-12);
+    EXPECT_NEAR((small.Vortices[v].P1 - 0.25 * usual.Vortices[v].P1).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(small.Vortices[v].Acceleration(0.25 * Vec3(0.3, 0.2, 1.0), 2.0).norm(),
+                usual.Vortices[v].Acceleration(Vec3(0.3, 0.2, 1.0), 4.0).norm(), 1e-9);
+  }
 }
 
 TEST(Ensemble, VorticesHaveTheDiameterAndAccelerationAskedFor)

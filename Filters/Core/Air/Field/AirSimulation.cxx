@@ -100,6 +100,8 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattic
   StopAtFloor(lattice, values);
 }
 
+} // namespace
+
 Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver)
 {
   if (!scene.Solids || (frame > 0 && !scene.SolidsMove))
@@ -111,8 +113,6 @@ Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver)
   WAFT_RETURN_IF_FAILED(scene.Solids(frame, distances, velocities));
   return solver.SetSolids(distances, velocities);
 }
-
-} // namespace
 
 HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
 {
@@ -126,6 +126,18 @@ HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
                         std::max(1, scene.LatticeDimensions[static_cast<std::size_t>(c)] - 1);
   }
   return series;
+}
+
+void AppendAir(const AirScene& scene, const SmokeSolver& solver, const ParallelFor& parallel,
+               HalfSeries& air)
+{
+  SmokeFrame cells;
+  solver.ReadVelocity(cells);
+  FieldSeries::Field values;
+  Restrict(cells, scene, air, parallel, values);
+  air.Times.push_back(solver.Time());
+  air.Values.emplace_back();
+  air.Set(air.Values.size() - 1, values);
 }
 
 Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
@@ -142,7 +154,7 @@ Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelF
     {
       WAFT_RETURN_IF_FAILED(solver.Restore(*begun));
     }
-    else
+    if (solver.Frame() < frame)
     {
       PartMonitor step(monitor, static_cast<double>(frame) / scene.Time.NumberOfFrames,
                        (frame + 1.0) / scene.Time.NumberOfFrames);

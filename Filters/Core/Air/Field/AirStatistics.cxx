@@ -3,6 +3,7 @@
 
 #include "Air/Field/AirSampler.h"
 #include "Base/Random.h"
+#include "Grid/SmokeEnsemble.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,9 +122,10 @@ Sample SampleAt(const std::vector<Vec3>& path, std::size_t f, double rate)
 }
 
 // Windows of a path that is free all the time, each half over the one before.
-void AddOwn(const std::vector<Vec3>& path, const std::vector<char>& isFree, double rate, Sums& sums)
+void AddOwn(const std::vector<Vec3>& path, const std::vector<char>& isFree, double rate,
+            double seconds, Sums& sums)
 {
-  const auto length = static_cast<std::size_t>(std::lround(AirStatistics::OwnSeconds * rate));
+  const auto length = static_cast<std::size_t>(std::lround(seconds * rate));
   std::vector<Sample> window(length);
   for (std::size_t begin = 1; length > 1 && begin + length < path.size(); begin += length / 2)
   {
@@ -170,7 +172,8 @@ AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, d
   }
   for (std::size_t b = 0; b < flights.Paths.size(); ++b)
   {
-    AddOwn(flights.Paths[b], flights.IsFree[b], framesPerSecond, sums);
+    AddOwn(flights.Paths[b], flights.IsFree[b], framesPerSecond,
+           AirStatistics::OwnSeconds * TimeScaleOf(width), sums);
   }
   AirStatistics found;
   const double count = std::max<double>(1.0, static_cast<double>(sums.Frames.Count));

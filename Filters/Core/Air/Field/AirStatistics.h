@@ -22,13 +22,23 @@ struct AirStatistics
 
   double VelocityVariance = 0.0;     // about the mean of each frame [m^2/s^2]
   double AccelerationVariance = 0.0; // about the mean of each frame [m^2/s^4]
-  /// About each body's own mean over windows of OwnSeconds, as few bodies have it; 0 where none
-  /// flies freely as long.
+  /// About each body's own mean over windows of OwnSeconds (in a volume of 4 m), as few bodies have
+  /// it; 0 where none flies freely as long.
   static constexpr double OwnSeconds = 2.0;
   double OwnVelocityVariance = 0.0;     // [m^2/s^2]
   double OwnAccelerationVariance = 0.0; // [m^2/s^4]
   /// S2(r) / 2 var v; 0 where there is no pair.
   std::array<double, Bins> Structure{};
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.VelocityVariance...);
+    visit(of.AccelerationVariance...);
+    visit(of.OwnVelocityVariance...);
+    visit(of.OwnAccelerationVariance...);
+    visit(of.Structure...);
+  }
 };
 
 /// Paths of bodies, one position a frame [m], and where each flies freely.

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/AirSymmetry.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace waft
 {
+namespace
+{
+
+constexpr std::uint16_t HalfSign = 0x8000; // the bit
+
+}
 
 Mat3 AirSymmetry::Matrix() const
 {
@@ -26,7 +34,8 @@ std::string AirSymmetry::Text() const
                                ? "turned by " + std::to_string(90 * this->QuarterTurns) + " degrees"
                                : std::string();
   const std::string mirrored = this->Mirrored ? "mirrored" : "";
-  return turned + (turned.empty() || mirrored.empty() ? "" : ", ") + mirrored;
+  return turned + (turned.empty() && mirrored.empty() ? "as drawn" : "") +
+         (turned.empty() || mirrored.empty() ? "" : ", ") + mirrored;
 }
 
 std::vector<AirSymmetry> AirSymmetries(const Box& volume)
@@ -38,7 +47,7 @@ std::vector<AirSymmetry> AirSymmetries(const Box& volume)
   {
     for (int turns = 0; turns < 4; ++turns)
     {
-      if ((turns == 0 && !mirrored) || square)
+      if (square || turns % 2 == 0)
       {
         all.push_back({ turns, mirrored });
       }
@@ -67,20 +76,67 @@ HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field)
       }
     }
   }
+  // Which component each one is, and its sign.
+  std::array<std::size_t, 3> of{};
+  std::array<std::uint16_t, 3> sign{};
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    m.row(static_cast<int>(c)).cwiseAbs().maxCoeff(&of[c]);
+    sign[c] = m(static_cast<int>(c), static_cast<int>(of[c])) < 0.0 ? HalfSign : 0;
+  }
   for (std::size_t f = 0; f < field.Values.size(); ++f)
   {
-    const HalfSeries::Field values = field.At(f);
-    HalfSeries::Field turned(values.size());
+    const std::vector<Half3>& values = field.Values[f];
+    image.Values[f].resize(values.size());
     for (std::size_t at = 0; at < sources.size(); ++at)
     {
-      const std::array<float, 3>& v = values[sources[at]];
-      const Vec3 u = m * Vec3(v[0], v[1], v[2]);
-      turned[at] = { static_cast<float>(u.x()), static_cast<float>(u.y()),
-                     static_cast<float>(u.z()) };
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        image.Values[f][at][c] = static_cast<std::uint16_t>(values[sources[at]][of[c]] ^ sign[c]);
+      }
     }
-    image.Set(f, turned);
   }
   return image;
+}
+
+Result TakeImage(const AirSymmetry& symmetry, const AirScene& scene, SmokeState& state)
+{
+  SmokeSolver from, to;
+  WAFT_RETURN_IF_FAILED(from.Begin(scene.Smoke, {}));
+  WAFT_RETURN_IF_FAILED(from.Restore(state));
+  WAFT_RETURN_IF_FAILED(to.Begin(scene.Smoke, {}));
+  const std::array<std::vector<float>, 3> faces = { from.FaceVelocities(0), from.FaceVelocities(1),
+                                                    from.FaceVelocities(2) };
+  const std::array<int, 3>& n = scene.Smoke.Resolution;
+  const Box& volume = scene.Smoke.Bounds;
+  const Vec3 spacing = scene.Smoke.Spacing();
+  const Mat3 m = symmetry.Matrix();
+  // Only the component across the face that x is the middle of is asked for.
+  const auto velocity = [&](const Vec3& x) -> Vec3
+  {
+    const Vec3 at = volume.Center() + m.transpose() * (x - volume.Center()) - volume.Min;
+    Vec3 u;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::array<int, 3> index{}, count = n;
+      ++count[static_cast<std::size_t>(axis)];
+      for (int c = 0; c < 3; ++c)
+      {
+        const auto of = static_cast<std::size_t>(c);
+        const double cells = at[c] / spacing[c] - (c == axis ? 0.0 : 0.5);
+        index[of] = std::clamp(static_cast<int>(std::lround(cells)), 0, count[of] - 1);
+      }
+      u[axis] =
+        faces[static_cast<std::size_t>(axis)]
+             [static_cast<std::size_t>((index[2] * count[1] + index[1]) * count[0] + index[0])];
+    }
+    return m * u;
+  };
+  WAFT_RETURN_IF_FAILED(to.SetVelocity(velocity, /*project=*/false));
+  const int frame = state.Frame;
+  state = to.Save();
+  state.Frame = frame;
+  return Result::Ok();
 }
 
 SmokeForces Image(const AirSymmetry& symmetry, const Box& volume, const SmokeForces& forces)

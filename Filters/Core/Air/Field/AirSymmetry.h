@@ -3,6 +3,7 @@
 // is an air, too.
 #pragma once
 
+#include "Air/Field/AirSimulation.h"
 #include "Base/HalfSeries.h"
 #include "Base/Types.h"
 #include "Grid/SmokeOptions.h"
@@ -17,14 +18,16 @@ struct AirSymmetry
   bool Mirrored = false; // x -> -x, before the turns
 
   Mat3 Matrix() const;
-  std::string Text() const; // "turned by 90 degrees, mirrored"
+  std::string Text() const; // "turned by 90 degrees, mirrored", "as drawn"
 };
 
-/// All eight, the identity first; that alone where the ground is not square.
+/// All eight, the identity first; four where the ground is not square.
 std::vector<AirSymmetry> AirSymmetries(const Box& volume);
 
-/// The image of a field whose lattice the symmetry maps onto itself.
+/// The image of a field whose lattice the symmetry maps onto itself, to the bit.
 HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field);
+/// A state of the scene's grid becomes its image; without solids.
+Result TakeImage(const AirSymmetry& symmetry, const AirScene& scene, SmokeState& state);
 /// The image of vortices and winds in closed form.
 SmokeForces Image(const AirSymmetry& symmetry, const Box& volume, const SmokeForces& forces);
 

@@ -4,37 +4,26 @@
 
 #include "Air/Field/AirSimulation.h"
 #include "Air/Field/AirStatistics.h"
+#include "Air/Field/WarmUp.h"
 #include "Constraints/MotionProblem.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <vector>
 
 namespace waft
 {
 
-/// Random forces, and how bodies move in the coarse air that they make.
+/// Random forces, and how their air comes to its first frame.
 struct ForceDraw
 {
-  std::uint64_t Seed = 0;
-  double Scale = 1.0;
-  double Misfit = 1e300;
-  SmokeForces Forces; // the problem's own among them
-  AirStatistics Found;
+  SmokeForces Forces; // the problem's own among them, but for its field of wind; in frames' time
+  WarmUp Begin;
 };
 
-/// Draws by coarse simulations, those first in whose closed box bodies move most as they do in the
-/// open boxes of the databases (wanted), each scaled to be as strong. coarse: its forces are not
-/// looked at. law: of a typical body. The same on any number of threads.
+/// Of a few draws, each warmed up on a coarse grid, the one in whose closed box bodies move most as
+/// they do in open boxes, where air comes and goes (wanted). coarse: its forces are not looked at.
+/// law: of a typical body. The same on any number of threads.
 Result DrawForces(const MotionProblem& problem, std::uint64_t seed, const AirScene& coarse,
                   const BodyLaw& law, const ParallelFor& parallel, PartMonitor& monitor,
-                  std::vector<ForceDraw>& draws, AirStatistics& wanted);
-
-/// As many airs as `count`, each on one thread: that of sceneOf(k) goes to use(k, air), in any
-/// order.
-Result SimulateSideBySide(std::size_t count, const std::function<AirScene(std::size_t)>& sceneOf,
-                          const std::function<void(std::size_t, HalfSeries&)>& use,
-                          const ParallelFor& parallel, PartMonitor& monitor);
+                  ForceDraw& draw, AirStatistics& wanted);
 
 } // namespace waft

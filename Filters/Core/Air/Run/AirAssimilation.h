@@ -70,8 +70,8 @@ struct AssimilationOptions
     visit(OptionField{ "Candidates",
                        { 1, 256 },
                        "",
-                       "Airs that are tried coarsely; the one that needs the least help is "
-                       "flown in. More take longer." },
+                       "Quarter turns and mirror images of the drawn air that are tried, at most "
+                       "eight; the one that needs the least help is flown in." },
           of.Candidates...);
     visit(OptionField{ "Starts",
                        { 0, 1000 },
@@ -171,6 +171,16 @@ struct AssimilationOptions
   }
 };
 
+/// Where airs as they were drawn are kept by key for runs with other marks; empty: nowhere.
+struct DrawnAirs
+{
+  /// The path of a file; empty where there is none of the key.
+  std::function<std::string(std::uint64_t key)> Found;
+  /// Has write(path) write it.
+  std::function<void(std::uint64_t key, const std::function<Result(const std::string&)>& write)>
+    Make;
+};
+
 /// Its Vortices are the scene's own, which stir the air with the random ones.
 struct AssimilationInput : MotionProblem
 {
@@ -178,6 +188,7 @@ struct AssimilationInput : MotionProblem
   RotationOptions Turning;   // its Seed is not read: it is the air's
   /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
   Communicator* Ranks = nullptr;
+  DrawnAirs Drawn = {};
 };
 
 /// What a round brought.

@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr std::size_t FewestToFitTogether = 128;      // bodies
-constexpr double SteeringRate = 6.0;                  // 1/s
+constexpr double SteeringRate = 6.0;                  // 1/s, in a volume of 4 m
 constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0.8 GB
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
@@ -125,7 +125,7 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
 {
   WindCorrectionOptions options;
   options.Spacing = WindSpacingIn(run.Input.Scene.Bounds, run.Options);
-  options.TimeSpacing = run.Options.WindTimeSpacing;
+  options.TimeSpacing = run.Options.WindTimeSpacing * TimeScaleOf(run.Input.Scene.Bounds.Width());
   options.Ridge *= run.Options.WindStiffness;
   options.Bending *= run.Options.WindStiffness;
   options.Changing *= run.Options.WindStiffness;
@@ -176,7 +176,8 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
   const std::string number = std::to_string(state.Rounds + 1);
   const bool isLong = plain.Values.size() * plain.NumberOfPoints() > LongAir;
   AirSteering steering(std::move(state.Sampled.Velocity), std::move(plain),
-                       std::move(state.Sampled.Wind), SteeringRate, isLong);
+                       std::move(state.Sampled.Wind),
+                       SteeringRate / TimeScaleOf(run.Input.Scene.Bounds.Width()), isLong);
   state.Sampled = SampledAir();
   HalfSeries air;
   PartMonitor monitor(run.Caller, ProgressOf(rounds, state.Rounds, WindEnd),

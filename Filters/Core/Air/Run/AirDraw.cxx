@@ -3,6 +3,7 @@
 
 #include "Air/Field/AirSymmetry.h"
 #include "Air/Field/ForceDraws.h"
+#include "Air/Run/DrawnAir.h"
 #include "Air/Run/RunProgress.h"
 
 #include <algorithm>
@@ -15,14 +16,13 @@ namespace
 {
 
 constexpr int TrialIterations = 12; // of a candidate
-constexpr std::size_t TrialObjects = 48;
-constexpr std::size_t FewestForStatistics = 12; // bodies
+constexpr std::size_t TrialObjects = 16;
+constexpr std::size_t FewestForStatistics = 8; // bodies
 constexpr double PathStructureCost = 2.0;
 constexpr double PathStrengthCost = 0.2;
 constexpr double Tiny = 1e-12; // [m^2/s^2]
 constexpr int CoarseVoxels = 16;
 constexpr double DrawsEnd = 0.03;
-constexpr double TrialsEnd = 0.06;
 constexpr const char* Drawing = "Drawing the forces of the air";
 
 // Of a variance that is not as it is wanted; 0 where either is not known.
@@ -122,62 +122,81 @@ double Try(const AirContext& run, const AirBodies& bodies, const AirStatistics& 
 
 } // namespace
 
+namespace
+{
+
+// What does not hang on the marks.
+Result Draw(const AirContext& run, const AirScene& scene, const BodyLaw& law, DrawnAir& drawn)
+{
+  ForceDraw draw;
+  PartMonitor drawing(run.Caller, 0.0, DrawsEnd, Drawing);
+  Result result =
+    DrawForces(run.Input, SeedOfAir(run.Input, run.Options), CoarseSceneOf(run, scene), law,
+               run.Parallel, drawing, draw, drawn.Wanted);
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  AirScene stirred = scene;
+  stirred.Forces = draw.Forces;
+  stirred.Forces.Wind = run.Input.Wind;
+  WAFT_RETURN_IF_FAILED(BeginWarmUp(draw.Begin, stirred, drawn.Begun));
+  PartMonitor monitor(run.Caller, DrawsEnd, DrawEnd, Drawing);
+  result = SimulateAir(stirred, nullptr, run.Parallel, monitor, drawn.Air, &drawn.Begun);
+  drawn.Forces = std::move(draw.Forces);
+  drawn.WarmUp = draw.Begin.Text(run.Input.Scene.Time.FramesPerSecond);
+  return result;
+}
+
+} // namespace
+
 Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
-  const AirScene coarse = CoarseSceneOf(run, state.Scene);
-  std::vector<ForceDraw> draws;
-  AirStatistics wanted;
-  PartMonitor drawing(run.Caller, 0.0, DrawsEnd, Drawing);
-  Result result = DrawForces(run.Input, SeedOfAir(run.Input, run.Options), coarse,
-                             TypicalLaw(state.Bodies), run.Parallel, drawing, draws, wanted);
-  if (!result || result.IsStopped())
+  const BodyLaw law = TypicalLaw(state.Bodies);
+  const std::uint64_t key = KeyOfDrawnAir(run, state.Scene, law);
+  DrawnAir drawn;
+  if (!FindDrawnAir(run, key, drawn))
   {
-    return result;
-  }
-  std::vector<AirSymmetry> symmetries = AirSymmetries(run.Input.Scene.Bounds);
-  symmetries.resize(IsSymmetric(run, state.Scene) ? symmetries.size() : 1);
-  const auto candidates = static_cast<std::size_t>(run.Options.Candidates);
-  draws.resize(std::min(draws.size(), (candidates + symmetries.size() - 1) / symmetries.size()));
-  std::vector<HalfSeries> airs(draws.size());
-  PartMonitor trying(run.Caller, DrawsEnd, TrialsEnd, Drawing);
-  result = SimulateSideBySide(
-    draws.size(),
-    [&](std::size_t k)
+    const Result result = Draw(run, state.Scene, law, drawn);
+    if (!result || result.IsStopped())
     {
-      AirScene scene = coarse;
-      scene.Forces = draws[k].Forces;
-      return scene;
-    },
-    [&](std::size_t k, HalfSeries& air) { airs[k] = std::move(air); }, run.Parallel, trying);
-  if (!result || result.IsStopped())
-  {
-    return result;
+      return result;
+    }
+    KeepDrawnAir(run, key, drawn);
   }
+  HalfSeries& air = state.Sampled.Velocity;
+  air = std::move(drawn.Air);
+  state.Begun = std::move(drawn.Begun);
+  std::vector<AirSymmetry> symmetries = AirSymmetries(run.Input.Scene.Bounds);
+  const auto candidates = static_cast<std::size_t>(run.Options.Candidates);
+  symmetries.resize(IsSymmetric(run, state.Scene) ? std::min(symmetries.size(), candidates) : 1);
   double least = 1e300;
-  std::size_t draw = 0;
   AirSymmetry best;
-  for (std::size_t k = 0; k < candidates && k < draws.size() * symmetries.size(); ++k)
+  for (const AirSymmetry& symmetry : symmetries)
   {
-    const AirSymmetry& symmetry = symmetries[k % symmetries.size()];
-    const std::size_t from = k / symmetries.size();
     AssimilationRound row;
     row.Stage = "draw";
-    row.Candidate = "air " + std::to_string(from + 1) + ", " + symmetry.Text();
-    const double judged = Try(run, state.Bodies, wanted, Image(symmetry, airs[from]), row);
+    row.Candidate = symmetry.Text();
+    const bool isItself = &symmetry == symmetries.data();
+    const double judged =
+      Try(run, state.Bodies, drawn.Wanted, isItself ? air : Image(symmetry, air), row);
     row.Seconds = run.Seconds();
     output.Rounds.push_back(row);
     if (judged < least)
     {
       least = judged;
-      draw = from;
       best = symmetry;
-      state.Candidate = row.Candidate;
     }
   }
-  state.Scene.Forces = Image(best, run.Input.Scene.Bounds, draws[draw].Forces);
-  PartMonitor monitor(run.Caller, TrialsEnd, DrawEnd, "Drawing the air");
-  return SimulateAir(state.Scene, nullptr, run.Parallel, monitor, state.Sampled.Velocity,
-                     &state.Begun);
+  state.Candidate = best.Text() + "; warmed up for " + drawn.WarmUp;
+  state.Scene.Forces = Image(best, run.Input.Scene.Bounds, drawn.Forces);
+  state.Scene.Forces.Wind = run.Input.Wind;
+  if (best.Text() != AirSymmetry().Text())
+  {
+    air = Image(best, air);
+    WAFT_RETURN_IF_FAILED(TakeImage(best, state.Scene, state.Begun));
+  }
+  return Result::Ok();
 }
 
 } // namespace waft

@@ -3,6 +3,7 @@
 
 #include "Constraints/ConstraintCheck.h"
 #include "Constraints/RowsOfObjects.h"
+#include "Grid/SmokeEnsemble.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +95,8 @@ AirScene SetUpScene(const AirContext& run)
   smoke.Boundary.fill(BoundaryKind::Closed);
   smoke.BuoyancyTemperature = 0.0;
   smoke.AirDensity = run.Input.Scene.AirDensity;
+  smoke.NegligibleForce = StirringLeast;
+  smoke.Confinement /= TimeScaleOf(smoke.Bounds.Width());
   const Vec3 size = smoke.Bounds.Size();
   const double voxel = size.maxCoeff() / run.Options.Resolution;
   for (int c = 0; c < 3; ++c)

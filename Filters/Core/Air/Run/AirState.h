@@ -6,6 +6,7 @@
 #include "Air/Field/AirSimulation.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Air/Run/AssimilationState.h"
+#include "Grid/SmokeEnsemble.h"
 
 #include <algorithm>
 #include <chrono>
@@ -65,12 +66,13 @@ struct AirContext
     Caller(monitor), Around{ input.Scene, this->Obstacles, options.Inertia }
   {
     const double rate = input.Scene.Time.FramesPerSecond;
-    this->Search.Weights.Smoothness = options.Smoothness;
+    const double scale = TimeScaleOf(input.Scene.Bounds.Width());
+    this->Search.Weights.Smoothness = options.Smoothness * scale * scale;
     this->Search.Starts = static_cast<int>(std::min<std::size_t>(
       options.Starts, MostStarts / std::max<std::size_t>(1, input.Objects.size())));
     this->Search.Spread = static_cast<int>(std::lround(options.TouchDownSpread * rate));
     this->Search.Settling = static_cast<int>(std::lround(SettlingTime * rate));
-    this->Search.Step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
+    this->Search.Step = std::max(1, static_cast<int>(std::lround(rate * scale / 2.0)));
   }
   AirContext(const AirContext&) = delete;
   void operator=(const AirContext&) = delete;

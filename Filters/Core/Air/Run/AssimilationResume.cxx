@@ -98,6 +98,7 @@ void KeepCheckpoint(const AirContext& run, const AirState& state, const Assimila
   }
   AssimilationState kept = Kept(run, state, output);
   kept.Rounds = state.Rounds;
+  kept.Begun = state.Begun;
   kept.Air = { std::shared_ptr<void>(), &state.Sampled }; // for the time of the writing
   checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); });
 }
@@ -121,6 +122,7 @@ bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
     TakePath(o, kept, state.Bodies);
   }
   state.Rounds = kept.Rounds;
+  state.Begun = std::move(kept.Begun);
   return true;
 }
 

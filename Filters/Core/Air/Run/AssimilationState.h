@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Air/Run/AirAssimilation.h"
-#include "Grid/SmokeOptions.h"
+#include "Grid/SmokeSolver.h"
 #include "Store/StateFile.h"
 
 #include <cstdint>
@@ -45,6 +45,7 @@ struct AssimilationState
   bool IsFinished = false;
   std::string Candidate;
   SmokeForces Forces; // but for the wind, which is the input's
+  SmokeState Begun;   // of a run that goes on
   std::shared_ptr<const SampledAir> Air = std::make_shared<SampledAir>();
   std::vector<std::vector<Vec3>> Paths;
   std::vector<PoseTrack> Poses;             // or empty
@@ -62,6 +63,7 @@ struct AssimilationState
     visit(of.Candidate...);
     visit(of.Forces.Vortices...);
     visit(of.Forces.Winds...);
+    visit(of.Begun...);
     visit(of.Paths...);
     visit(of.Poses...);
     visit(of.TouchDowns...);
@@ -72,7 +74,7 @@ struct AssimilationState
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-inline constexpr StateKind AssimilationKind = { "assimilation", 5 };
+inline constexpr StateKind AssimilationKind = { "assimilation", 6 };
 
 void WriteState(StateArchive& file, const AssimilationState& state, const ParallelFor& parallel);
 void ReadState(StateArchive& file, AssimilationState& state);
