@@ -70,9 +70,9 @@ class EditTest(unittest.TestCase):
 
     def test_a_mark_moves_one_body_alone(self):
         before, _ = bodies(self.animation)
-        after, places = self.edit(replace("/constraints/1/value", [0.3, 0.2, 1.6]))
+        after, places = self.edit(replace("/constraints/1/value", [-0.6, 0.9, 2.4]))
         self.assertEqual([a == b for a, b in zip(before, after)], [True, False, True])
-        for axis, wanted in enumerate((0.3, 0.2, 1.6)):
+        for axis, wanted in enumerate((-0.6, 0.9, 2.4)):
             self.assertAlmostEqual(places[1][axis], wanted, delta=0.021)
         self.assertEqual(self.file.read_text(encoding="utf-8"), SCENE, "not saved yet")
         source = self.animation.GetClientSideObject()
@@ -82,7 +82,7 @@ class EditTest(unittest.TestCase):
         again, places = bodies(self.animation)
         self.assertEqual(source.GetWantsNewAir(), 0, "it was drawn for this scene")
         self.assertNotEqual(again[0], before[0], "another air takes the others elsewhere")
-        self.assertLess(max(abs(own - wanted) for own, wanted in zip(places[1], (0.3, 0.2, 1.6))), 0.021)
+        self.assertLess(max(abs(own - wanted) for own, wanted in zip(places[1], (-0.6, 0.9, 2.4))), 0.021)
 
     def test_a_start_and_a_new_mark_do_as_well(self):
         before, _ = bodies(self.animation)
