@@ -27,6 +27,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace
@@ -123,6 +124,18 @@ TEST(StylisticPlannerFilter, TakesTheThreadsOfTheProcessesThatWorkForThisOne)
   vtkSharedWork::SetProcessesHere(1);
   vtkSMPTools::Initialize();
   EXPECT_EQ(threads(), before + 2);
+}
+
+// When it works on a thread of its own it is too late: loops of VTK may be under way on another.
+TEST(StylisticPlannerFilter, ChoosesVtksThreadsWhereItIsMade)
+{
+  if (std::getenv("VTK_SMP_BACKEND_IN_USE") != nullptr)
+  {
+    GTEST_SKIP() << "they are chosen by the environment";
+  }
+  vtkSMPTools::SetBackend("Sequential");
+  const vtkNew<vtkStylisticPlannerFilter> stage;
+  EXPECT_STREQ(vtkSMPTools::GetBackend(), "STDThread");
 }
 
 TEST(StylisticPlannerFilter, PlansTracksTreesReportRowsAndVortices)

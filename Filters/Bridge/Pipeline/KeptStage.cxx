@@ -67,6 +67,7 @@ KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int 
   Fields(obstaclesPort, windPort, airPort),
   Stage(stage), ScenePort(scenePort)
 {
+  ChooseThreads();
 }
 
 int KeptStage::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,

@@ -98,13 +98,18 @@ int ProcessesHere()
   return given == nullptr ? 1 : std::max(1, std::atoi(given));
 }
 
-ParallelFor SmpFor()
+void ChooseThreads()
 {
   if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
       !std::getenv("VTK_SMP_BACKEND_IN_USE") && getpid() == LoadedBy)
   {
     vtkSMPTools::SetBackend("STDThread");
   }
+}
+
+ParallelFor SmpFor()
+{
+  ChooseThreads();
   ParallelFor loop =
     [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
   {

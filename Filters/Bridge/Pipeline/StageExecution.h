@@ -59,10 +59,13 @@ private:
   bool IsStopped = false;
 };
 
-/// vtkSMPTools; the first exception of a body reaches the caller. Debian's VTK runs one thread
-/// unless told otherwise: when nobody chose a backend (by VTK_SMP_BACKEND_IN_USE or
-/// vtkSMPTools::SetBackend), STDThread is taken, but in a fork of the process that loaded this.
-/// Where processes of this machine work for this one it takes their threads while they sleep.
+/// Debian's VTK runs one thread unless told otherwise: when nobody chose a backend (by
+/// VTK_SMP_BACKEND_IN_USE or vtkSMPTools::SetBackend), STDThread is taken, but in a fork of the
+/// process that loaded this. Call it on the thread on which stages are made, before one works on
+/// another: a loop of VTK that is under way while the backend changes ends the process.
+void ChooseThreads();
+/// vtkSMPTools, as ChooseThreads has it; the first exception of a body reaches the caller. Where
+/// processes of this machine work for this one it takes their threads while they sleep.
 ParallelFor SmpFor();
 /// How many processes of this machine are one run, whose first one this is: 1 unless it is told.
 /// Each has as many threads as this one. What one library of the plugin sets holds for all.
