@@ -9,8 +9,6 @@
 
 namespace waft
 {
-namespace
-{
 
 void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel)
 {
@@ -24,18 +22,22 @@ void ReadSeries(StateArchive& stream, HalfSeries& series)
   ReadPacked(stream, series.Values);
 }
 
-} // namespace
+MotionProblem SurroundingsOf(const AssimilationInput& input, const AssimilationOptions& options)
+{
+  MotionProblem around;
+  around.Scene = input.Scene;
+  around.Scene.Seed = SeedOfAir(input, options);
+  around.Obstacles = input.Obstacles;
+  around.Vortices = input.Vortices;
+  around.Wind = input.Wind;
+  return around;
+}
 
 AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options)
 {
   AssimilationKey key;
   DigestStream around;
-  MotionProblem scene; // without objects and rows
-  scene.Scene = input.Scene;
-  scene.Scene.Seed = SeedOfAir(input, options);
-  scene.Obstacles = input.Obstacles;
-  scene.Vortices = input.Vortices;
-  scene.Wind = input.Wind;
+  const MotionProblem scene = SurroundingsOf(input, options);
   around.Values(scene);
   if (GlidesIn(input, options))
   {

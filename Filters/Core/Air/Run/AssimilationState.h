@@ -36,6 +36,8 @@ struct AssimilationKey
   }
 };
 
+/// What an air is drawn from: the input without objects and rows, with the seed of its air.
+MotionProblem SurroundingsOf(const AssimilationInput& input, const AssimilationOptions& options);
 AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options);
 
 struct AssimilationState
@@ -76,6 +78,8 @@ struct AssimilationState
 
 inline constexpr StateKind AssimilationKind = { "assimilation", 6 };
 
+void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel);
+void ReadSeries(StateArchive& stream, HalfSeries& series);
 void WriteState(StateArchive& file, const AssimilationState& state, const ParallelFor& parallel);
 void ReadState(StateArchive& file, AssimilationState& state);
 /// A file whole or not at all; errors name the path and the reason.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/DrawnAir.h"
 
-#include "Air/Field/PackedSeries.h"
 #include "Store/StateFile.h"
 
 namespace waft
@@ -17,12 +16,7 @@ std::uint64_t KeyOfDrawnAir(const AirContext& run, const AirScene& scene, const 
 {
   DigestStream of;
   Vec3 slip = law.Slip;
-  MotionProblem around; // without objects and rows
-  around.Scene = run.Input.Scene;
-  around.Scene.Seed = SeedOfAir(run.Input, run.Options);
-  around.Obstacles = run.Input.Obstacles;
-  around.Vortices = run.Input.Vortices;
-  around.Wind = run.Input.Wind;
+  const MotionProblem around = SurroundingsOf(run.Input, run.Options);
   of.Values(around, scene.Smoke.Resolution, scene.LatticeDimensions, slip);
   return of.Sum();
 }
@@ -33,8 +27,7 @@ bool FindDrawnAir(const AirContext& run, std::uint64_t key, DrawnAir& drawn)
   const auto content = [&](StateArchive& file)
   {
     file.Values(drawn);
-    HalfSeries::VisitLattice(file, drawn.Air);
-    ReadPacked(file, drawn.Air.Values);
+    ReadSeries(file, drawn.Air);
     return static_cast<int>(drawn.Air.Values.size()) == run.Input.Scene.Time.NumberOfFrames;
   };
   if (path.empty() || ReadStateFile(path, DrawnKind, key, content) != StateLack::None)
@@ -56,8 +49,7 @@ void KeepDrawnAir(const AirContext& run, std::uint64_t key, const DrawnAir& draw
                        {
                          StateFileWriter file(path, DrawnKind, key);
                          file.Values(drawn);
-                         HalfSeries::VisitLattice(file, drawn.Air);
-                         WritePacked(file, drawn.Air.Values, run.Parallel);
+                         WriteSeries(file, drawn.Air, run.Parallel);
                          return file.Commit();
                        });
 }
