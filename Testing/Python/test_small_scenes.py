@@ -26,20 +26,20 @@ WAFT = sys.argv.pop(1)
 MARGIN = 1.2
 FIGURES = {
     "feather-maze": {
-        "private_hand": 0.251, "replay": 0.775, "life_velocity": 0.986, "life_acceleration": 0.889, "band_0.1": 1.16,
-        "band_0.3": 0.478, "band_0.6": 0.69, "band_1.2": 0.504, "start": 1.49, "witnesses_life_velocity": 0.588,
-        "witnesses_life_acceleration": 0.6, "witnesses_one_air_along": 0.675, "witnesses_wind": 0.241},
+        "private_hand": 0.0171, "replay": 0.0104, "life_velocity": 1.14, "life_acceleration": 0.9, "band_0.1": 1.26,
+        "band_0.3": 0.535, "band_0.6": 0.608, "band_1.2": 0.768, "start": 1.19, "witnesses_life_velocity": 0.606,
+        "witnesses_life_acceleration": 0.641, "witnesses_one_air_along": 0.688},
     "leaves-letters": {
-        "private_hand": 0.0892, "replay": 0.141, "life_velocity": 1.16, "life_acceleration": 1.07, "band_0.1": 1.37,
-        "band_0.3": 1.46, "band_0.6": 1.14, "band_1.2": 0.872, "start": 1.14, "witnesses_life_velocity": 0.765,
-        "witnesses_life_acceleration": 0.763, "witnesses_one_air_along": 0.661, "witnesses_wind": 0.262, "landing": 0.78},
+        "private_hand": 0.0315, "replay": 0.0248, "life_velocity": 1.22, "life_acceleration": 1.09, "band_0.1": 1.1,
+        "band_0.3": 1.2, "band_0.6": 1.03, "band_1.2": 1.1, "start": 1.14, "witnesses_life_velocity": 0.83,
+        "witnesses_life_acceleration": 0.855, "witnesses_one_air_along": 0.655, "landing": 0.614},
     "bubbles-stairs": {
-        "private_hand": 0.184, "replay": 0.276, "life_velocity": 3.18, "life_acceleration": 4.55, "band_0.1": 2.95,
-        "band_0.3": 2.94, "band_0.6": 2.82, "band_1.2": 2.46, "start": 0.78, "witnesses_life_velocity": 1.51,
-        "witnesses_life_acceleration": 1.84, "witnesses_one_air_along": 0.579, "witnesses_wind": 0.485},
+        "private_hand": 0.0132, "replay": 0.00973, "life_velocity": 3.62, "life_acceleration": 7.95, "band_0.1": 3.69,
+        "band_0.3": 3.63, "band_0.6": 3.47, "band_1.2": 5.94, "start": 0.729, "witnesses_life_velocity": 1.56,
+        "witnesses_life_acceleration": 2.08, "witnesses_one_air_along": 0.61},
 }
 # Of the others less is a fault as more is: what does not stir is no better than what trembles.
-LESS_IS_BETTER = ("private_hand", "replay", "start", "witnesses_wind", "landing")
+LESS_IS_BETTER = ("private_hand", "replay", "start", "landing")
 EXACT = 1e-9
 
 

@@ -143,6 +143,8 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
             [](const Constraint& row) { return static_cast<unsigned char>(row.Side); });
   AddColumn(arrays, names::Facing, constraints, &Constraint::Facing);
   AddColumn(arrays, names::FacingTolerance, constraints, &Constraint::FacingTolerance);
+  AddColumn(arrays, names::Choice, constraints,
+            [](const Constraint& row) { return static_cast<unsigned char>(row.Choice); });
   AddColumn(arrays, names::Status, constraints,
             [](const Constraint& row) { return static_cast<int>(row.Status); });
   SceneInfoToFieldData(info, data);
@@ -158,7 +160,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   fallback.Until = last;
   fallback.Row = -1;
   std::vector<Constraint> read(static_cast<std::size_t>(source.Tuples), fallback);
-  std::vector<int> kinds, statuses, sides;
+  std::vector<int> kinds, statuses, sides, choices;
   const int any = static_cast<int>(FaceUp::Any);
   std::vector<Quat> values;
   std::vector<Vec3> positions; // shown alone: `Value` is what counts
@@ -181,6 +183,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::FaceUp, sides, &any));
   WAFT_RETURN_IF_FAILED(readOptional(names::Facing, &Constraint::Facing));
   WAFT_RETURN_IF_FAILED(readOptional(names::FacingTolerance, &Constraint::FacingTolerance));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::Choice, choices, &met));
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Status, statuses, &met));
   for (std::size_t i = 0; i < read.size(); ++i)
   {
@@ -209,6 +212,12 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
     }
     row.Kind = static_cast<ConstraintKind>(kinds[i]);
     row.Side = static_cast<FaceUp>(sides[i]);
+    if (choices[i] < 0 || choices[i] > static_cast<int>(ObjectChoice::AmongListed))
+    {
+      return Result::Error(vertex + ": array `Choice`: expected 0 to 2, found " +
+                           std::to_string(choices[i]));
+    }
+    row.Choice = static_cast<ObjectChoice>(choices[i]);
     if (!row.Facing.isZero())
     {
       row.Facing.normalize();

@@ -28,13 +28,10 @@ void ServeRanks(Communicator& ranks)
   { return ServeTouching(inputs, ranks, parallelFor, elsewhere); };
   const auto turn = [&](ReadingStream& inputs, SharedItems& items)
   { return ServeTurning(inputs, items, ItemsAtOnce(), parallelFor); };
-  const auto fit = [&](ReadingStream& inputs, SharedItems&)
-  { return ServeWind(inputs, ranks, parallelFor); };
   Serve(ranks, { { SimulationKind, simulate },
                  { PlanKind, plan },
                  { BodiesKind, drift },
                  { TouchingKind, part },
-                 { WindKind, fit },
                  { TurningKind, turn } });
 }
 

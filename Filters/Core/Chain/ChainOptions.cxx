@@ -33,7 +33,7 @@ ChainOptions ChainOptions::At(Quality quality)
   {
     options.Air.Resolution = 32;
     options.Air.LatticeResolution = 32;
-    options.Air.Rounds = 1;
+    options.Air.Rounds = 0;
   }
   return options;
 }

@@ -19,7 +19,7 @@ struct PortArrays
     "points: ObjectId int; Frame int; Kind byte; Value double*4 of the kind; "
     "Radius double of the kind; Until int; TouchDown int; Settled int; LiftOff int; Row int; "
     "Target int; Group int; ClassId int; FaceUp byte; Facing double*3; FacingTolerance double rad; "
-    "Status int";
+    "Choice byte; Status int";
   const std::string Obstacles = "points: ObstacleId int";
   const std::string Shapes =
     "points: TextureCoordinates float*2; "

@@ -114,6 +114,14 @@ const char* ToString(FaceUp side);
 /// The side of this name, or null.
 const FaceUp* FindFaceUp(const std::string& name);
 
+/// How a row came by its object. Those that were chosen may get another one, by the flow.
+enum class ObjectChoice : unsigned char
+{
+  Given,      // by who asks
+  AmongAll,   // by the shortest legs, among all objects that may
+  AmongListed // among those of a list, which its group's rows have all together
+};
+
 /// What is wanted of one object at one frame.
 struct Constraint
 {
@@ -136,6 +144,7 @@ struct Constraint
   /// asked.
   Vec3 Facing = Vec3::Zero();
   double FacingTolerance = 0.35; // rad
+  ObjectChoice Choice = ObjectChoice::Given;
   ConstraintStatus Status =
     ConstraintStatus::Met; // what an earlier stage found: only met rows bind
 
@@ -159,6 +168,7 @@ struct Constraint
     visit(of.Side...);
     visit(of.Facing...);
     visit(of.FacingTolerance...);
+    visit(of.Choice...);
     visit(of.Status...);
   }
 };

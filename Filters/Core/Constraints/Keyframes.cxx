@@ -225,6 +225,8 @@ void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Const
       for (std::size_t row : open[t]->Rows)
       {
         rows[row].ObjectId = object;
+        rows[row].Choice =
+          choices.count(group.Id) > 0 ? ObjectChoice::AmongListed : ObjectChoice::AmongAll;
       }
       if (open[t]->HasPosition)
       {
@@ -232,6 +234,83 @@ void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Const
       }
     }
   }
+}
+
+std::vector<ChosenTargets> CollectChosen(const std::vector<MotionObject>& objects,
+                                         const std::vector<Constraint>& rows,
+                                         const std::vector<char>& counts)
+{
+  std::map<int, std::size_t> indexOf;
+  for (std::size_t o = 0; o < objects.size(); ++o)
+  {
+    indexOf[objects[o].ObjectId] = o;
+  }
+  std::map<std::pair<int, int>, std::vector<std::size_t>> targets;
+  std::vector<char> isIdle(objects.size(), 1);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    targets[{ rows[i].Row, rows[i].Target }].push_back(i);
+    const auto object = indexOf.find(rows[i].ObjectId);
+    if (object != indexOf.end() && IsPositional(rows[i].Kind))
+    {
+      isIdle[object->second] = 0;
+    }
+  }
+  std::map<std::tuple<int, int, int>, std::pair<ChosenTargets, bool>> groups; // among all
+  for (const auto& [key, own] : targets)
+  {
+    ChosenTargets::Target target;
+    target.Rows = own;
+    bool isChosen = true, hasPosition = false;
+    for (const std::size_t i : own)
+    {
+      const Constraint& row = rows[i];
+      isChosen = isChosen && row.Choice != ObjectChoice::Given && counts[i] &&
+                 indexOf.count(row.ObjectId) > 0;
+      if (IsPositional(row.Kind) && !hasPosition)
+      {
+        hasPosition = true;
+        target.Frame = row.Frame;
+        target.Position = row.Value;
+      }
+      target.Until = std::max(target.Until, LastFrame(row));
+      target.ClassId = std::max(target.ClassId, row.ClassId);
+    }
+    if (!isChosen || !hasPosition)
+    {
+      continue;
+    }
+    const Constraint& first = rows[own.front()];
+    target.Object = indexOf.at(first.ObjectId);
+    auto& [group, amongAll] =
+      groups
+        .try_emplace(first.Group >= 0 ? std::tuple(0, first.Group, 0)
+                                      : std::tuple(1, target.Frame, target.Until),
+                     ChosenTargets(), true)
+        .first->second;
+    amongAll = amongAll && first.Choice == ObjectChoice::AmongAll;
+    group.Candidates.push_back(target.Object);
+    group.Targets.push_back(std::move(target));
+  }
+  std::vector<ChosenTargets> result;
+  for (auto& [key, entry] : groups)
+  {
+    for (std::size_t o = 0; o < objects.size() && entry.second; ++o)
+    {
+      if (isIdle[o])
+      {
+        entry.first.Candidates.push_back(o);
+      }
+    }
+    if (entry.first.Candidates.size() > 1)
+    {
+      result.push_back(std::move(entry.first));
+    }
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const ChosenTargets& a, const ChosenTargets& b)
+                   { return a.Targets.front().Frame < b.Targets.front().Frame; });
+  return result;
 }
 
 } // namespace waft

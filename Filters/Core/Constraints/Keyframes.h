@@ -5,6 +5,7 @@
 #include "Base/Motion.h"
 #include "Constraints/Constraint.h"
 
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -20,5 +21,27 @@ namespace waft
 /// its rows may go to; groups that are not there choose among all.
 void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Constraint>& rows,
                      const std::map<int, std::vector<int>>& choices = {});
+
+/// Targets that were given out by choice, and who else may take them.
+struct ChosenTargets
+{
+  struct Target
+  {
+    std::vector<std::size_t> Rows; // all of one (Row, Target)
+    int Frame = 0, Until = 0;
+    Vec3 Position = Vec3::Zero();
+    int ClassId = -1;
+    std::size_t Object = 0; // index of the one that has it
+  };
+  std::vector<Target> Targets;
+  std::vector<std::size_t> Candidates; // indices of objects, those that have them first
+};
+
+/// Targets of one group, or of none and of the same frames, that objects may exchange: positions of
+/// rows with a Choice, all of which count. Where all were chosen among all objects those take part,
+/// too, of which no row asks for a position. In the order of their frames. counts: by row.
+std::vector<ChosenTargets> CollectChosen(const std::vector<MotionObject>& objects,
+                                         const std::vector<Constraint>& rows,
+                                         const std::vector<char>& counts);
 
 } // namespace waft

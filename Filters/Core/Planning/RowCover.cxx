@@ -170,6 +170,7 @@ void CoverRows(const std::vector<MotionObject>& objects, const std::vector<unsig
     for (const std::size_t row : targets[w].Rows)
     {
       rows[row].ObjectId = objects[chosen[w]].ObjectId;
+      rows[row].Choice = ObjectChoice::AmongAll;
     }
   }
 }

@@ -210,6 +210,7 @@ void SceneReader::AssignChosen(const SceneNode& node)
       continue;
     }
     row.ObjectId = assigned[i].ObjectId;
+    row.Choice = assigned[i].Choice;
     if (row.ObjectId < 0)
     {
       node.Item(static_cast<std::size_t>(row.Row))

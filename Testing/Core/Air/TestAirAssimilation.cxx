@@ -378,10 +378,9 @@ TEST(AirAssimilation, CorrectsTheWindByAsManyNumbersInAnyVolume)
   for (const double width : { 0.3, 1.0, 4.0, 40.0, 200.0 })
   {
     const Box volume{ Vec3::Zero(), Vec3::Constant(width) };
-    WindCorrectionOptions splines;
-    splines.Spacing = WindSpacingIn(volume, options);
-    EXPECT_EQ(WindCorrection(volume, Timeline(), splines).NumberOfCoefficients(),
-              std::size_t{ 3 * 13 * 13 * 13 * 23 });
+    const WindSplines splines(volume, Timeline(), WindSpacingIn(volume, options),
+                              options.WindTimeSpacing, 1.0);
+    EXPECT_EQ(splines.Coefficients(), std::size_t{ 3 * 13 * 13 * 13 * 23 });
   }
   options.WindSpacing = 0.5;
   EXPECT_EQ(WindSpacingIn(Box(), options), 0.5);

@@ -3,8 +3,11 @@
 #include "Air/Field/AirStatistics.h"
 #include "Air/Run/AssimilationState.h"
 #include "Base/Primitives.h"
+#include "Constraints/ConstraintCheck.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include <cmath>
 #include <cstdio>
@@ -233,4 +236,58 @@ TEST(AssimilationRows, WhatCannotBeReachedIsComeToAsThePlanDoes)
   }
   const AssimilationOutput output = Assimilated(input, Small());
   EXPECT_EQ(output.Tracks[2].Positions[40], planned);
+}
+
+TEST(AssimilationWho, MarksGoToWhomTheAirBringsThereAndStayWithThemInEdits)
+{
+  AssimilationInput input = Crossing();
+  for (Constraint& row : input.Constraints)
+  {
+    row.Choice = ObjectChoice::AmongAll;
+    row.Group = 0;
+  }
+  AssimilationOptions options = Small();
+  options.Rounds = 0;
+  AssimilationInput given = input;
+  for (Constraint& row : given.Constraints)
+  {
+    row.Choice = ObjectChoice::Given;
+  }
+  const auto drift = [](const AssimilationOutput& output)
+  {
+    const auto row = std::find_if(output.Rounds.begin(), output.Rounds.end(),
+                                  [](const AssimilationRound& r) { return r.Stage == "drift"; });
+    return row->Control;
+  };
+  AssimilationState memory;
+  const AssimilationOutput chosen = Assimilated(input, options, &memory);
+  EXPECT_LT(drift(chosen), 0.9 * drift(Assimilated(given, options)));
+  int changed = 0;
+  std::vector<int> ids;
+  for (std::size_t i = 0; i < input.Constraints.size(); ++i)
+  {
+    const Constraint& row = chosen.Constraints[i];
+    ids.push_back(row.ObjectId);
+    changed += row.ObjectId != input.Constraints[i].ObjectId ? 1 : 0;
+    const auto track = std::find_if(chosen.Tracks.begin(), chosen.Tracks.end(),
+                                    [&](const Track& t) { return t.ObjectId == row.ObjectId; });
+    EXPECT_EQ(track->Positions[40], row.Value);
+    EXPECT_EQ(FindLine(chosen.Report, row.Row, row.Target)->ObjectId, row.ObjectId);
+  }
+  EXPECT_GT(changed, 0);
+  std::vector<int> sorted = ids;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end());
+
+  input.Constraints[1].Value.z() += 0.05;
+  const AssimilationOutput edited = Assimilated(input, options, &memory);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    EXPECT_EQ(edited.Constraints[i].ObjectId, ids[i]);
+  }
+  for (std::size_t o = 0; o < edited.Tracks.size(); ++o)
+  {
+    const bool isEdited = edited.Tracks[o].ObjectId == ids[1];
+    EXPECT_EQ(edited.Tracks[o].Positions != chosen.Tracks[o].Positions, isEdited) << o;
+  }
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/WindCorrection.h"
 #include "Base/Random.h"
-#include "Base/ThreadRanks.h"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
 
 using namespace waft;
 
@@ -24,35 +27,128 @@ Vec3 Gyre(const Vec3& x, double t)
            -a * std::sin(k * x.x()) * std::cos(k * x.y()), 0.0 };
 }
 
-WindCorrection Fitted(const ParallelFor& parallel, Communicator& ranks)
+const std::vector<WindScale> Scales = { { 1.0, 0.8, 0.2 }, { 0.5, 0.5, 0.1 } };
+
+std::vector<WindSamples> SamplesOfGyre(int perFrame)
 {
-  WindCorrectionOptions options;
-  options.Iterations = 300;
-  options.Ridge = options.Bending = options.Changing = 1e-5;
-  WindCorrection wind(Volume, Time, options);
   Random random(2);
   std::vector<WindSamples> samples;
   for (int f = 0; f < Time.NumberOfFrames; f += 3)
   {
     WindSamples at;
     at.Frame = f;
-    for (int s = 0; s < 300; ++s)
+    for (int s = 0; s < perFrame; ++s)
     {
       at.Positions.push_back(random.InBox(Volume));
       at.Values.push_back(Gyre(at.Positions.back(), Time.Time(f)));
     }
     samples.push_back(at);
   }
+  return samples;
+}
+
+WindCorrection Fitted(const ParallelFor& parallel, DistanceFromSolids solids = nullptr)
+{
+  WindCorrection wind(Volume, Time, Scales, std::move(solids));
   SilentMonitor monitor;
-  EXPECT_TRUE(wind.Fit(samples, parallel, ranks, monitor));
+  EXPECT_TRUE(wind.Fit(SamplesOfGyre(300), 0.01, 60, parallel, monitor));
   return wind;
 }
 
-WindCorrection Fitted(const ParallelFor& parallel)
+// A ball in the middle of the volume.
+double FromBall(const Vec3& x, double, double reach, Vec3& away)
 {
-  SingleRank alone;
-  return Fitted(parallel, alone);
+  const Vec3 out = x - Vec3(0.0, 0.0, 2.0);
+  away = out.normalized();
+  return std::min(out.norm() - 0.5, reach);
 }
+
+// The covariance of the wind between two places and frames, by what each coefficient gives there.
+class PlainKriging
+{
+public:
+  PlainKriging(const std::vector<WindSamples>& samples, double error)
+  {
+    for (const WindSamples& at : samples)
+    {
+      for (std::size_t s = 0; s < at.Positions.size(); ++s)
+      {
+        this->Rows.push_back(this->RowsAt(at.Positions[s], at.Frame));
+        this->Wanted.push_back(at.Values[s]);
+      }
+    }
+    const auto size = static_cast<Eigen::Index>(3 * this->Rows.size());
+    Eigen::MatrixXd covariance(size, size);
+    Eigen::VectorXd wanted(size);
+    for (Eigen::Index i = 0; i < size; ++i)
+    {
+      const auto [at, c] = std::div(static_cast<int>(i), 3);
+      wanted[i] = this->Wanted[static_cast<std::size_t>(at)][c];
+      for (Eigen::Index j = 0; j < size; ++j)
+      {
+        covariance(i, j) = this->RowOf(i).dot(this->RowOf(j)) + (i == j ? error * error : 0.0);
+      }
+    }
+    this->Weights = covariance.ldlt().solve(wanted);
+  }
+  Vec3 At(const Vec3& x, double frame) const
+  {
+    const Eigen::MatrixXd rows = this->RowsAt(x, frame);
+    Vec3 wind = Vec3::Zero();
+    for (Eigen::Index i = 0; i < this->Weights.size(); ++i)
+    {
+      wind += this->Weights[i] * (rows * this->RowOf(i).transpose());
+    }
+    return wind;
+  }
+
+private:
+  Eigen::RowVectorXd RowOf(Eigen::Index i) const
+  {
+    return this->Rows[static_cast<std::size_t>(i / 3)].row(i % 3);
+  }
+  // Three rows, a column for each coefficient of all scales.
+  Eigen::MatrixXd RowsAt(const Vec3& x, double frame) const
+  {
+    Eigen::Index size = 0;
+    for (const WindScale& scale : Scales)
+    {
+      size += static_cast<Eigen::Index>(Splines(scale).Coefficients());
+    }
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3, size);
+    Eigen::Index begin = 0;
+    for (const WindScale& scale : Scales)
+    {
+      const WindSplines splines = Splines(scale);
+      const WindSplines::Place place = splines.At(x);
+      const WindSplines::Instant at = splines.At(frame);
+      const auto nodes = splines.Nodes();
+      for (int c = 0; c < 3; ++c)
+      {
+        std::vector<double> part(3 * nodes, 0.0);
+        WindSplines::AddCurl(place, splines.RowsOf(place), Vec3::Unit(c), part.data(), nodes);
+        for (std::size_t m = 0; m < 4; ++m)
+        {
+          const std::size_t knot = 3 * nodes * (static_cast<std::size_t>(at.First) + m);
+          for (std::size_t i = 0; i < part.size(); ++i)
+          {
+            rows(c, begin + static_cast<Eigen::Index>(knot + i)) += at.Weight[m] * part[i];
+          }
+        }
+      }
+      begin += static_cast<Eigen::Index>(splines.Coefficients());
+    }
+    return rows;
+  }
+  static WindSplines Splines(const WindScale& scale)
+  {
+    return { Volume, Time, scale.Spacing, scale.TimeSpacing, scale.Variance };
+  }
+
+  std::vector<Eigen::MatrixXd> Rows;
+  std::vector<Vec3> Wanted;
+  Eigen::VectorXd Weights;
+};
 
 TEST(WindCorrection, FindsTheFlowThatItsSamplesAreOf)
 {
@@ -121,14 +217,92 @@ TEST(WindCorrection, IsTheSameOnAnyNumberOfThreads)
   EXPECT_EQ(one.At(x, 33.3), four.At(x, 33.3));
 }
 
-} // namespace
-
-TEST(WindCorrection, IsTheSameOnAnyNumberOfRanks)
+TEST(WindCorrection, IsWhatKrigingWithItsCovarianceGives)
 {
-  WindCorrection alone = Fitted(SerialFor());
-  for (const int size : { 2, 3 })
+  std::vector<WindSamples> samples = SamplesOfGyre(2);
+  samples.resize(4);
+  const double error = 0.05;
+  WindCorrection wind(Volume, Time, Scales);
+  SilentMonitor monitor;
+  EXPECT_TRUE(wind.Fit(samples, error, 500, SerialFor(), monitor));
+  const PlainKriging plain(samples, error);
+  Random random(5);
+  for (int s = 0; s < 8; ++s)
   {
-    EXPECT_TRUE(RunRanks(size, [&](Communicator& ranks)
-                         { EXPECT_EQ(Fitted(SerialFor(), ranks).Values(), alone.Values()); }));
+    const Vec3 x = s < 2 ? samples[1].Positions[static_cast<std::size_t>(s)] : random.InBox(Volume);
+    EXPECT_LT((wind.At(x, 4.0) - plain.At(x, 4.0)).norm(), 0.01);
   }
 }
+
+TEST(WindCorrection, HasTheVarianceOfItsScales)
+{
+  Random random(3);
+  const WindSplines splines(Volume, Time, 0.4, 0.5, 0.09);
+  const std::size_t nodes = splines.Nodes();
+  double sum = 0.0;
+  int count = 0;
+  for (int draw = 0; draw < 10; ++draw)
+  {
+    std::vector<double> knots(4 * 3 * nodes);
+    for (double& value : knots)
+    {
+      value = random.Normal();
+    }
+    for (int s = 0; s < 100; ++s)
+    {
+      const WindSplines::Place place =
+        splines.At(random.InBox({ Vec3(-1.0, -1.0, 1.0), Vec3(1.0, 1.0, 3.0) }));
+      const WindSplines::Instant at = splines.At(random.Uniform(20.0, 70.0));
+      Vec3 wind = Vec3::Zero();
+      for (std::size_t m = 0; m < 4; ++m)
+      {
+        wind += at.Weight[m] * WindSplines::Curl(place, splines.RowsOf(place),
+                                                 knots.data() + m * 3 * nodes, nodes);
+      }
+      sum += wind.squaredNorm();
+      count += 3;
+    }
+  }
+  EXPECT_NEAR(sum / count, 0.09, 0.01);
+}
+
+TEST(WindCorrection, RunsAlongWhatStandsInTheAir)
+{
+  const WindCorrection wind = Fitted(SerialFor(), FromBall);
+  Random random(6);
+  for (int s = 0; s < 50; ++s)
+  {
+    const Vec3 out = Vec3(random.Normal(), random.Normal(), random.Normal()).normalized();
+    const Vec3 on = Vec3(0.0, 0.0, 2.0) + (0.5 + 1e-9) * out;
+    EXPECT_NEAR(wind.At(on, 40.0).dot(out), 0.0, 1e-6);
+    EXPECT_EQ(wind.At(on - 0.1 * out, 40.0), Vec3::Zero());
+  }
+  EXPECT_GT(wind.At(Vec3(1.2, 0.3, 2.0), 40.0).norm(), 0.05);
+}
+
+TEST(WindCorrection, HasNoScaleBelowTwoSpacingsOfTheLattice)
+{
+  Random random(7);
+  HalfSeries air;
+  air.Dimensions = { 17, 17, 17 };
+  air.Spacing = Vec3::Constant(0.25);
+  air.Times = { 0.0 };
+  HalfSeries::Field field(air.NumberOfPoints());
+  for (std::size_t i = 0; i < field.size(); ++i)
+  {
+    const Vec3 u = Gyre(air.PointAt(i), 0.0);
+    field[i] = { static_cast<float>(u[0]), static_cast<float>(u[1]), static_cast<float>(u[2]) };
+  }
+  air.Values.resize(1);
+  air.Set(0, field);
+  const std::vector<WindScale> scales = ScalesOf(air, 0.5, 0.5);
+  ASSERT_EQ(scales.size(), std::size_t{ 2 }); // half of it is one spacing
+  EXPECT_DOUBLE_EQ(scales[0].Spacing, 1.0);
+  EXPECT_DOUBLE_EQ(scales[1].Spacing, 0.5);
+  EXPECT_GT(scales[0].TimeSpacing, scales[1].TimeSpacing);
+  // One large eddy.
+  EXPECT_GT(scales[0].Variance, 4.0 * scales[1].Variance);
+  EXPECT_EQ(ScalesOf(air, 0.1, 0.5).size(), std::size_t{ 1 });
+}
+
+} // namespace

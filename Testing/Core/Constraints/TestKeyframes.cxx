@@ -116,3 +116,28 @@ TEST(AssignKeyframes, LeavesSinglePlacesAlone)
   EXPECT_EQ(rows[0].ObjectId, -1);
   EXPECT_EQ(rows[1].ObjectId, 0);
 }
+
+TEST(CollectChosen, TellsWhoMayTakeWhat)
+{
+  const std::vector<MotionObject> objects{ ObjectAt(0, Vec3(0, 0, 0)), ObjectAt(1, Vec3(1, 0, 0)),
+                                           ObjectAt(2, Vec3(2, 0, 0)), ObjectAt(3, Vec3(3, 0, 0)),
+                                           ObjectAt(4, Vec3(9, 9, 9)) };
+  std::vector<Constraint> rows{ AnyAt(0, 0, 50, Vec3(0, 9, 0), 1),
+                                AnyAt(0, 1, 50, Vec3(5, 9, 0), 1),
+                                AnyAt(1, 0, 20, Vec3(5, 0, 0), 0),
+                                AnyAt(1, 1, 20, Vec3(0, 0, 0), 0) };
+  rows.push_back(AnyAt(2, 0, 30, Vec3(2, 2, 2), -1)); // somebody's own
+  rows.back().ObjectId = 2;
+  AssignKeyframes(objects, rows, { { 1, { 0, 1 } } });
+  EXPECT_EQ(rows[0].Choice, ObjectChoice::AmongListed);
+  EXPECT_EQ(rows[2].Choice, ObjectChoice::AmongAll);
+  EXPECT_EQ(rows[4].Choice, ObjectChoice::Given);
+  const std::vector<ChosenTargets> groups = CollectChosen(objects, rows, std::vector<char>(5, 1));
+  ASSERT_EQ(groups.size(), std::size_t{ 2 });
+  EXPECT_EQ(groups[0].Targets.front().Frame, 20);
+  EXPECT_EQ(groups[0].Candidates, (std::vector<std::size_t>{ 3, 0, 4 })); // 4 has no place
+  EXPECT_EQ(groups[1].Candidates.size(), std::size_t{ 2 });
+  std::vector<char> counts(5, 1);
+  counts[2] = 0; // a row that cannot be met stays where it is
+  EXPECT_EQ(CollectChosen(objects, rows, counts)[0].Targets.size(), std::size_t{ 1 });
+}

@@ -113,6 +113,16 @@ int LatestTouchDown(const DriftSearch& search, const BodyProblem& body, std::siz
 
 } // namespace
 
+void SetLatestTouchDowns(const DriftSearch& search, BodyProblem& body)
+{
+  for (std::size_t l = 0; l < body.NumberOfLandings(); ++l)
+  {
+    body.SetTouchDown(l, body.LandingFrame(l));
+    body.SetLiftOff(l, body.LeavingFrame(l));
+    body.SetTouchDown(l, LatestTouchDown(search, body, l));
+  }
+}
+
 void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& body,
               std::vector<Vec3>& path, Monitor& monitor)
 {
@@ -122,10 +132,8 @@ void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& bod
   for (std::size_t l = 0; l < body.NumberOfLandings(); ++l)
   {
     timesBefore.emplace_back(body.TouchDown(l), body.LiftOff(l));
-    body.SetTouchDown(l, body.LandingFrame(l));
-    body.SetLiftOff(l, body.LeavingFrame(l));
-    body.SetTouchDown(l, LatestTouchDown(search, body, l));
   }
+  SetLatestTouchDowns(search, body);
   path = BestDrift(search, air, body, body.Starts(air, search.Starts));
   for (std::size_t l = 0; l < body.NumberOfLandings(); ++l)
   {

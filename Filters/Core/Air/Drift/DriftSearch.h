@@ -24,6 +24,9 @@ struct DriftSearch
   bool HasSolids = false; // in the air: what passes through an obstacle is worse than what does not
 };
 
+/// Touch-downs as late as they may be, lift-offs as the rows have them.
+void SetLatestTouchDowns(const DriftSearch& search, BodyProblem& body);
+
 /// The path with the least control is kept, with its touch-downs and lift-offs; that so far is
 /// among them.
 void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& body,

@@ -1,263 +1,180 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/WindCorrection.h"
 
-#include "Base/Simd.h"
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace waft
 {
 namespace
 {
 
-/// Cubic B-splines of four knots around a point 0..1 between the middle two.
-void CubicWeights(double t, double* w, double* slope)
+constexpr double Finest = 2.0;          // of the lattice's spacings
+constexpr double Apart = 0.75;          // of the next larger one, that a scale is at most
+constexpr double EddyTime = 2.0 / 3.0;  // power of its size
+constexpr double WithinSpacing = 1.15;  // spacings, at which a scale's structure function is full
+constexpr std::size_t StructureAt = 16; // frames
+constexpr double LeastShare = 1e-3;     // of the variance, that a scale has
+constexpr double Converged = 1e-2;      // of what the gradient was
+
+/// Mean square of the differences of one component between points so far apart along an axis
+/// [m^2/s^2], between points of the lattice; over a third of three components: of zero distance the
+/// square itself.
+double StructureOf(const std::vector<HalfSeries::Field>& fields, const SeriesLattice& lattice,
+                   double distance)
 {
-  const double s = 1.0 - t;
-  w[0] = s * s * s / 6.0;
-  w[1] = 2.0 / 3.0 - t * t * (2.0 - t) / 2.0;
-  w[2] = 2.0 / 3.0 - s * s * (2.0 - s) / 2.0;
-  w[3] = t * t * t / 6.0;
-  if (slope)
+  double sum = 0.0;
+  std::size_t count = 0;
+  std::size_t stride = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    slope[0] = -0.5 * s * s;
-    slope[1] = -2.0 * t + 1.5 * t * t;
-    slope[2] = 2.0 * s - 1.5 * s * s;
-    slope[3] = 0.5 * t * t;
+    const int points = lattice.Dimensions[axis];
+    const double cells = distance / lattice.Spacing[static_cast<int>(axis)];
+    const auto low = static_cast<std::size_t>(std::clamp(static_cast<int>(cells), 0, points - 1));
+    const auto part = static_cast<float>(cells - static_cast<double>(low));
+    for (const HalfSeries::Field& field : fields)
+    {
+      for (std::size_t i = 0; i < field.size(); ++i)
+      {
+        const std::size_t at = i / stride % static_cast<std::size_t>(points);
+        if (at + low + 1 >= static_cast<std::size_t>(points))
+        {
+          continue;
+        }
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          const float there =
+            (1.0f - part) * field[i + low * stride][c] + part * field[i + (low + 1) * stride][c];
+          const double difference = there - field[i][c];
+          sum += difference * difference;
+        }
+        count += 3;
+      }
+    }
+    stride *= static_cast<std::size_t>(points);
   }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-/// From 0 at a wall to 1 at a spacing's distance.
-double Hold(double s, double& slope)
+double Dot(const std::vector<double>& a, const std::vector<double>& b)
 {
-  if (s >= 1.0)
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
   {
-    slope = 0.0;
-    return 1.0;
+    sum += a[i] * b[i];
   }
-  const double q = std::max(s, 0.0);
-  slope = (15.0 - 30.0 * q * q + 15.0 * q * q * q * q) / 8.0;
-  return q * (15.0 - 10.0 * q * q + 3.0 * q * q * q * q) / 8.0;
+  return sum;
 }
 
 } // namespace
 
+std::vector<WindScale> ScalesOf(const HalfSeries& air, double spacing, double timeSpacing)
+{
+  const double least = Finest * air.Spacing.maxCoeff();
+  std::vector<WindScale> scales;
+  for (const double factor : { 2.0, 1.0, 0.5 })
+  {
+    const double own = std::max(factor * spacing, least);
+    if (scales.empty() || own < Apart * scales.back().Spacing)
+    {
+      scales.push_back({ own, timeSpacing * std::pow(own / spacing, EddyTime), 0.0 });
+    }
+  }
+  std::vector<HalfSeries::Field> fields;
+  const std::size_t stride = std::max<std::size_t>(1, air.Values.size() / StructureAt);
+  double square = 0.0;
+  for (std::size_t f = stride / 2; f < air.Values.size(); f += stride)
+  {
+    fields.push_back(air.At(f));
+    double own = 0.0;
+    for (const std::array<float, 3>& u : fields.back())
+    {
+      own += static_cast<double>(u[0]) * u[0] + static_cast<double>(u[1]) * u[1] +
+             static_cast<double>(u[2]) * u[2];
+    }
+    square += own / (3.0 * static_cast<double>(fields.back().size()));
+  }
+  const double variance = square / static_cast<double>(std::max<std::size_t>(1, fields.size()));
+  double above = variance;
+  for (std::size_t l = 0; l < scales.size(); ++l)
+  {
+    const double below = l + 1 < scales.size()
+                           ? 0.5 * StructureOf(fields, air, WithinSpacing * scales[l + 1].Spacing)
+                           : 0.0;
+    scales[l].Variance = std::max(above - below, LeastShare * variance);
+    above = std::min(above, below);
+  }
+  return scales;
+}
+
 WindCorrection::WindCorrection(const Box& volume, const Timeline& time,
-                               const WindCorrectionOptions& options) :
-  Volume(volume),
-  Time(time), Options(options)
+                               const std::vector<WindScale>& scales, DistanceFromSolids distance) :
+  Time(time),
+  Distance(std::move(distance))
 {
-  for (int c = 0; c < 3; ++c)
+  std::size_t size = 0;
+  for (const WindScale& scale : scales)
   {
-    const int spans =
-      std::max(2, static_cast<int>(std::lround(volume.Size()[c] / options.Spacing)));
-    this->Spacing[c] = volume.Size()[c] / spans;
-    this->Count[static_cast<std::size_t>(c)] = spans + 3;
+    this->Scales.emplace_back(volume, time, scale.Spacing, scale.TimeSpacing, scale.Variance);
+    this->Begins.push_back(size);
+    size += this->Scales.back().Coefficients();
   }
-  const double frames = std::max(1, time.NumberOfFrames - 1);
-  const int spans =
-    std::max(1, static_cast<int>(std::lround(frames * time.Step() / options.TimeSpacing)));
-  this->FramesPerKnot = frames / spans;
-  this->Knots = spans + 3;
-  this->Coefficients.assign(3 * this->NodesPerKnot() * static_cast<std::size_t>(this->Knots), 0.0);
+  this->Coefficients.assign(size, 0.0);
 }
 
-WindCorrection::Splines WindCorrection::SplinesAt(int axis, double x) const
+WindHold WindCorrection::HoldAround(std::size_t scale, const Vec3& x, double frame) const
 {
-  const double h = this->Spacing[axis];
-  const double low = this->Volume.Min[axis];
-  const double high = this->Volume.Max[axis];
-  const double held = std::clamp(x, low, high);
-  const int spans = this->Count[static_cast<std::size_t>(axis)] - 3;
-  const double coordinate = (held - low) / h;
-  Splines s;
-  s.First = std::clamp(static_cast<int>(std::floor(coordinate)), 0, spans - 1);
-  double slopes[4];
-  CubicWeights(coordinate - s.First, s.Plain, slopes);
-  double atLow, atHigh;
-  const double a = Hold((held - low) / h, atLow);
-  const double b = Hold((high - held) / h, atHigh);
-  for (int i = 0; i < 4; ++i)
+  WindHold hold;
+  if (this->Distance)
   {
-    s.Held[i] = a * b * s.Plain[i];
-    s.Slope[i] = (a * b * slopes[i] + (atLow * b - a * atHigh) * s.Plain[i]) / h;
+    const double reach = this->Scales[scale].Spacing();
+    Vec3 away = Vec3::Zero();
+    const double distance = this->Distance(x, frame, reach, away);
+    double slope = 0.0;
+    hold.Factor = HoldAt(distance / reach, slope);
+    hold.Slope = distance > 0.0 && distance < reach ? Vec3(slope / reach * away) : Vec3::Zero();
   }
-  return s;
-}
-
-WindCorrection::Level WindCorrection::LevelAt(double frame) const
-{
-  const double knot = std::clamp(frame / this->FramesPerKnot, 0.0, this->Knots - 3.0);
-  Level level;
-  level.First = std::min(static_cast<int>(std::floor(knot)), this->Knots - 4);
-  CubicWeights(knot - level.First, level.Weight, nullptr);
-  return level;
-}
-
-WindCorrection::Nodes WindCorrection::At(const Level& level,
-                                         const std::vector<double>& coefficients) const
-{
-  const std::size_t size = 3 * this->NodesPerKnot();
-  Nodes nodes(size, 0.0);
-  for (int m = 0; m < 4; ++m)
-  {
-    const double* knot = coefficients.data() + static_cast<std::size_t>(level.First + m) * size;
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      nodes[i] += level.Weight[m] * knot[i];
-    }
-  }
-  return nodes;
-}
-
-// What of A is needed along x is summed first: a row of nodes has five such sums.
-Vec3 WindCorrection::Curl(const Basis& basis, const double* nodes) const
-{
-  const Splines& x = basis.Along[0];
-  const Splines& y = basis.Along[1];
-  const Splines& z = basis.Along[2];
-  Vec3 w = Vec3::Zero();
-  for (int k = 0; k < 4; ++k)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      const double* a = nodes + this->RowOf(basis, j, k);
-      double plain0 = 0.0, held1 = 0.0, held2 = 0.0, slope1 = 0.0, slope2 = 0.0;
-      for (int i = 0; i < 4; ++i, a += 3)
-      {
-        plain0 += a[0] * x.Plain[i];
-        held1 += a[1] * x.Held[i];
-        held2 += a[2] * x.Held[i];
-        slope1 += a[1] * x.Slope[i];
-        slope2 += a[2] * x.Slope[i];
-      }
-      w[0] += held2 * (y.Slope[j] * z.Plain[k]) - held1 * (y.Plain[j] * z.Slope[k]);
-      w[1] += plain0 * (y.Held[j] * z.Slope[k]) - slope2 * (y.Held[j] * z.Plain[k]);
-      w[2] += slope1 * (y.Plain[j] * z.Held[k]) - plain0 * (y.Slope[j] * z.Held[k]);
-    }
-  }
-  return w;
+  return hold;
 }
 
 Vec3 WindCorrection::At(const Vec3& x, double frame) const
 {
-  Basis basis;
-  for (int c = 0; c < 3; ++c)
-  {
-    basis.Along[c] = this->SplinesAt(c, x[c]);
-  }
-  const Level level = this->LevelAt(frame);
-  const std::size_t size = 3 * this->NodesPerKnot();
   Vec3 wind = Vec3::Zero();
-  for (int m = 0; m < 4; ++m)
+  for (std::size_t l = 0; l < this->Scales.size(); ++l)
   {
-    wind += level.Weight[m] * this->Curl(basis, this->Coefficients.data() +
-                                                  static_cast<std::size_t>(level.First + m) * size);
+    const WindSplines& scale = this->Scales[l];
+    WindSplines::Place place = scale.At(x);
+    place.Hold = this->HoldAround(l, x, frame);
+    const WindSplines::Instant at = scale.At(frame);
+    const WindSplines::Rows rows = scale.RowsOf(place);
+    const std::size_t nodes = scale.Nodes();
+    for (std::size_t m = 0; m < 4; ++m)
+    {
+      const double* knot = this->Coefficients.data() + this->Begins[l] +
+                           3 * nodes * (static_cast<std::size_t>(at.First) + m);
+      wind += at.Weight[m] * WindSplines::Curl(place, rows, knot, nodes);
+    }
   }
   return wind;
 }
-
-namespace
-{
-
-// The splines that are not zero at each of the points along an axis.
-struct Weights
-{
-  std::vector<int> First;
-  std::vector<std::array<double, 4>> Of;
-};
-
-// values [outer][from][inner] summed along the middle axis, with the weights of points there.
-WAFT_SIMD_CLONES void Contract(const double* values, std::size_t outer, std::size_t from,
-                               std::size_t inner, const Weights& weights, double* sums)
-{
-  for (std::size_t o = 0; o < outer; ++o)
-  {
-    for (std::size_t p = 0; p < weights.First.size(); ++p)
-    {
-      const double w[4] = { weights.Of[p][0], weights.Of[p][1], weights.Of[p][2],
-                            weights.Of[p][3] };
-      const double* v = values + (o * from + static_cast<std::size_t>(weights.First[p])) * inner;
-      for (std::size_t i = 0; i < inner; ++i)
-      {
-        *sums++ =
-          w[0] * v[i] + w[1] * v[i + inner] + w[2] * v[i + 2 * inner] + w[3] * v[i + 3 * inner];
-      }
-    }
-  }
-}
-
-} // namespace
 
 bool WindCorrection::AddTo(const HalfSeries& air, HalfSeries& sum, const ParallelFor& parallel,
                            Monitor& monitor) const
 {
   PartMonitor part(monitor, 1.0, 1.0);
-  enum Part
-  {
-    Plain,
-    Held,
-    Slope
-  };
-  Weights along[3][3]; // axis, part
-  for (int c = 0; c < 3; ++c)
-  {
-    for (int i = 0; i < air.Dimensions[static_cast<std::size_t>(c)]; ++i)
-    {
-      const Splines s = this->SplinesAt(c, air.Origin[c] + i * air.Spacing[c]);
-      const double* parts[3] = { s.Plain, s.Held, s.Slope };
-      for (int p = 0; p < 3; ++p)
-      {
-        along[c][p].First.push_back(s.First);
-        along[c][p].Of.push_back({ parts[p][0], parts[p][1], parts[p][2], parts[p][3] });
-      }
-    }
-  }
-  // Component of W, component of A, sign, and which part of the splines along x, y, z.
-  struct Term
-  {
-    std::size_t Of, Potential;
-    double Sign;
-    Part Parts[3];
-  };
-  const Term terms[] = {
-    { 0, 2, 1.0, { Held, Slope, Plain } }, { 0, 1, -1.0, { Held, Plain, Slope } },
-    { 1, 0, 1.0, { Plain, Held, Slope } }, { 1, 2, -1.0, { Slope, Held, Plain } },
-    { 2, 1, 1.0, { Slope, Plain, Held } }, { 2, 0, -1.0, { Plain, Slope, Held } }
-  };
-  const std::array<std::size_t, 3> nodesAlong = { static_cast<std::size_t>(this->Count[0]),
-                                                  static_cast<std::size_t>(this->Count[1]),
-                                                  static_cast<std::size_t>(this->Count[2]) };
-  const std::array<std::size_t, 3> points = { static_cast<std::size_t>(air.Dimensions[0]),
-                                              static_cast<std::size_t>(air.Dimensions[1]),
-                                              static_cast<std::size_t>(air.Dimensions[2]) };
   const auto addAt = [&](std::size_t f)
   {
-    const Nodes nodes =
-      this->At(this->LevelAt(air.Times[f] / this->Time.Step()), this->Coefficients);
+    const double frame = air.Times[f] / this->Time.Step();
     HalfSeries::Field field = air.At(f);
-    std::vector<double> values(this->NodesPerKnot());
-    std::vector<double> alongX(points[0] * nodesAlong[1] * nodesAlong[2]);
-    std::vector<double> alongY(points[0] * points[1] * nodesAlong[2]);
-    std::vector<double> wind(points[0] * points[1] * points[2]);
-    for (const Term& term : terms)
+    for (std::size_t l = 0; l < this->Scales.size(); ++l)
     {
-      for (std::size_t i = 0; i < values.size(); ++i)
+      std::vector<WindHold> holds(this->Distance ? field.size() : 0);
+      for (std::size_t i = 0; i < holds.size(); ++i)
       {
-        values[i] = nodes[3 * i + term.Potential];
+        holds[i] = this->HoldAround(l, air.PointAt(i), frame);
       }
-      // The long inner loops last.
-      Contract(values.data(), nodesAlong[1] * nodesAlong[2], nodesAlong[0], 1,
-               along[0][term.Parts[0]], alongX.data());
-      Contract(alongX.data(), nodesAlong[2], nodesAlong[1], points[0], along[1][term.Parts[1]],
-               alongY.data());
-      Contract(alongY.data(), 1, nodesAlong[2], points[0] * points[1], along[2][term.Parts[2]],
-               wind.data());
-      for (std::size_t i = 0; i < wind.size(); ++i)
-      {
-        field[i][term.Of] += static_cast<float>(term.Sign * wind[i]);
-      }
+      this->Scales[l].AddTo(this->Coefficients.data() + this->Begins[l], frame, air, holds, field);
     }
     sum.Set(f, field);
   };
@@ -270,6 +187,184 @@ bool WindCorrection::AddTo(const HalfSeries& air, HalfSeries& sum, const Paralle
              }
            });
   return part.Tick(-1.0, "");
+}
+
+// The nodes that samples of a frame touch, in order: a row's four stay side by side.
+struct WindCorrection::Cell
+{
+  WindSplines::Instant At;
+  std::vector<std::size_t> Nodes;
+  std::vector<WindSplines::Rows> Rows; // among those nodes
+  std::vector<WindHold> Holds;
+  std::vector<double> Part; // [x, y, z][node], of a product with the transposed
+};
+
+bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, int iterations,
+                         const ParallelFor& parallel, Monitor& monitor)
+{
+  const std::size_t frames = samples.size();
+  const std::size_t levels = this->Scales.size();
+  std::vector<Cell> cells(frames * levels);
+  parallel(frames,
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t f = begin; f < end; ++f)
+             {
+               for (std::size_t l = 0; l < levels; ++l)
+               {
+                 const WindSplines& scale = this->Scales[l];
+                 Cell& cell = cells[f * levels + l];
+                 cell.At = scale.At(samples[f].Frame);
+                 std::vector<int> places(scale.Nodes(), -1);
+                 for (const Vec3& x : samples[f].Positions)
+                 {
+                   cell.Rows.push_back(scale.RowsOf(scale.At(x)));
+                   for (const int row : cell.Rows.back())
+                   {
+                     std::fill_n(places.begin() + row, 4, 0);
+                   }
+                   cell.Holds.push_back(this->HoldAround(l, x, samples[f].Frame));
+                 }
+                 for (std::size_t i = 0; i < places.size(); ++i)
+                 {
+                   if (places[i] == 0)
+                   {
+                     places[i] = static_cast<int>(cell.Nodes.size());
+                     cell.Nodes.push_back(i);
+                   }
+                 }
+                 for (WindSplines::Rows& rows : cell.Rows)
+                 {
+                   for (int& row : rows)
+                   {
+                     row = places[static_cast<std::size_t>(row)];
+                   }
+                 }
+                 cell.Part.resize(3 * cell.Nodes.size());
+               }
+             }
+           });
+  struct Knot
+  {
+    std::size_t Level, Index;
+  };
+  std::vector<Knot> knots;
+  for (std::size_t l = 0; l < levels; ++l)
+  {
+    for (std::size_t k = 0; k < this->Scales[l].Knots(); ++k)
+    {
+      knots.push_back({ l, k });
+    }
+  }
+  const double weight = 1.0 / (error * error);
+  // result = M^T weight (M a - values) + a
+  const auto apply = [&](const std::vector<double>& a, bool lessValues, std::vector<double>& result)
+  {
+    parallel(frames,
+             [&](std::size_t begin, std::size_t end)
+             {
+               std::vector<Vec3> winds;
+               std::vector<double> nodes;
+               std::vector<std::vector<WindSplines::Place>> places(levels);
+               for (std::size_t f = begin; f < end; ++f)
+               {
+                 const WindSamples& at = samples[f];
+                 winds.assign(at.Positions.size(), Vec3::Zero());
+                 for (std::size_t l = 0; l < levels; ++l)
+                 {
+                   const Cell& cell = cells[f * levels + l];
+                   const std::size_t count = cell.Nodes.size();
+                   const std::size_t all = this->Scales[l].Nodes();
+                   const double* knot =
+                     a.data() + this->Begins[l] + 3 * all * static_cast<std::size_t>(cell.At.First);
+                   nodes.assign(3 * count, 0.0);
+                   for (std::size_t m = 0; m < 4; ++m)
+                   {
+                     for (std::size_t c = 0; c < 3; ++c)
+                     {
+                       const double* of = knot + (3 * m + c) * all;
+                       for (std::size_t i = 0; i < count; ++i)
+                       {
+                         nodes[c * count + i] += cell.At.Weight[m] * of[cell.Nodes[i]];
+                       }
+                     }
+                   }
+                   places[l].clear();
+                   for (std::size_t s = 0; s < winds.size(); ++s)
+                   {
+                     places[l].push_back(this->Scales[l].At(at.Positions[s]));
+                     places[l].back().Hold = cell.Holds[s];
+                     winds[s] += WindSplines::Curl(places[l][s], cell.Rows[s], nodes.data(), count);
+                   }
+                 }
+                 for (std::size_t l = 0; l < levels; ++l)
+                 {
+                   Cell& cell = cells[f * levels + l];
+                   std::fill(cell.Part.begin(), cell.Part.end(), 0.0);
+                   for (std::size_t s = 0; s < winds.size(); ++s)
+                   {
+                     const Vec3 off = lessValues ? Vec3(winds[s] - at.Values[s]) : winds[s];
+                     WindSplines::AddCurl(places[l][s], cell.Rows[s], weight * off,
+                                          cell.Part.data(), cell.Nodes.size());
+                   }
+                 }
+               }
+             });
+    result = a;
+    parallel(knots.size(),
+             [&](std::size_t begin, std::size_t end)
+             {
+               for (std::size_t k = begin; k < end; ++k)
+               {
+                 const std::size_t l = knots[k].Level;
+                 const std::size_t all = this->Scales[l].Nodes();
+                 double* sum = result.data() + this->Begins[l] + 3 * all * knots[k].Index;
+                 for (std::size_t f = 0; f < frames; ++f)
+                 {
+                   const Cell& cell = cells[f * levels + l];
+                   const std::size_t m = knots[k].Index - static_cast<std::size_t>(cell.At.First);
+                   for (std::size_t c = 0; c < 3 && m < 4; ++c)
+                   {
+                     const double* part = cell.Part.data() + c * cell.Nodes.size();
+                     for (std::size_t i = 0; i < cell.Nodes.size(); ++i)
+                     {
+                       sum[c * all + cell.Nodes[i]] += cell.At.Weight[m] * part[i];
+                     }
+                   }
+                 }
+               }
+             });
+  };
+  std::vector<double> residual, direction, product;
+  apply(this->Coefficients, true, residual);
+  for (double& r : residual)
+  {
+    r = -r;
+  }
+  direction = residual;
+  double size = Dot(residual, residual);
+  const double enough = Converged * Converged * size;
+  for (int iteration = 0; iteration < iterations && size > enough; ++iteration)
+  {
+    if (!monitor.Tick(static_cast<double>(iteration) / iterations, ""))
+    {
+      return false;
+    }
+    apply(direction, false, product);
+    const double step = size / Dot(direction, product);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+    {
+      this->Coefficients[i] += step * direction[i];
+      residual[i] -= step * product[i];
+    }
+    const double before = size;
+    size = Dot(residual, residual);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+    {
+      direction[i] = residual[i] + size / before * direction[i];
+    }
+  }
+  return true;
 }
 
 } // namespace waft

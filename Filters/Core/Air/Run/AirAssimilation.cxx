@@ -6,6 +6,7 @@
 #include "Air/Run/AirResult.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/AirSetup.h"
+#include "Air/Run/AirWho.h"
 #include "Air/Run/AssimilationResume.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/BodyTurning.h"
@@ -77,8 +78,8 @@ bool GoesOn(const AirContext& run, const AirState& state, const AssimilationOutp
 }
 
 // An air is drawn, the objects drift in it; then, round by round, it is simulated with the force of
-// the wind that their controls have in common.
-Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
+// the wind that makes their controls needless, and what it lacks then is added to it as it is.
+Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
                   AssimilationOutput& output)
 {
   Result result = Result::Ok();
@@ -90,23 +91,22 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
       state.Sampled.Velocity = HalfSeries();
       return result;
     }
-    result = FirstDrift(run, state, output);
+    result = ChooseWho(run, state, output);
+    WAFT_RETURN_IF_FAILED(result);
+    if (!result.IsStopped())
+    {
+      result = FirstDrift(run, state, output);
+    }
     WAFT_RETURN_IF_FAILED(result);
     if (!result.IsStopped())
     {
       KeepCheckpoint(run, state, output, checkpoint);
     }
   }
-  if (run.Options.Rounds == 0 && !result.IsStopped())
-  {
-    const HalfSeries plain = state.Sampled.Velocity;
-    result = FindWind(run, plain, state, output);
-    WAFT_RETURN_IF_FAILED(result);
-  }
   while (!result.IsStopped() && GoesOn(run, state, output))
   {
     HalfSeries plain = state.Sampled.Velocity;
-    result = FindWind(run, plain, state, output);
+    result = AddWind(run, state, output);
     WAFT_RETURN_IF_FAILED(result);
     if (!result.IsStopped())
     {
@@ -119,13 +119,17 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
       KeepCheckpoint(run, state, output, checkpoint);
     }
   }
+  if (!result.IsStopped() && (state.Rounds > 0 || run.Options.Rounds == 0))
+  {
+    result = AddWind(run, state, output);
+    WAFT_RETURN_IF_FAILED(result);
+  }
   if (!result.IsStopped() && state.Bodies.Poses.empty()) // the first air took everybody
   {
     result = TurnAndDrift(run, state.Sampled.Velocity, DriftIterations, Everybody(state.Bodies),
                           state.Bodies);
-    WAFT_RETURN_IF_FAILED(result);
   }
-  return result.IsStopped() ? result : TurnAstray(run, state.Sampled.Velocity, state.Bodies);
+  return result;
 }
 
 } // namespace
@@ -168,7 +172,7 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   }
   AirContext setUp(input, options, solids, parallel, monitor);
   AirState state;
-  WAFT_RETURN_IF_FAILED(setUp.Obstacles.Build(input.Obstacles));
+  WAFT_RETURN_IF_FAILED(SetUpObstacles(setUp));
   WAFT_RETURN_IF_FAILED(SetUpBodies(setUp, state.Bodies, output));
   state.Scene = SetUpScene(setUp);
   setUp.Search.HasSolids = static_cast<bool>(state.Scene.Solids);
@@ -180,7 +184,7 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
       ShowPaths(bodies, output.Tracks);
     }
   };
-  const AirContext& run = setUp;
+  AirContext& run = setUp;
   run.Publish(state.Bodies);
   const bool isEdit = TakeEdit(run, memory, state, output);
   const Result edited =

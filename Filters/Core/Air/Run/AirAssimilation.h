@@ -34,11 +34,11 @@ struct AssimilationOptions
   int LatticeResolution = 48;
   int Candidates = 32;
   int Starts = 8;
-  int Rounds = 3;
+  int Rounds = 2;
   int WindRounds = 5;
   double WindSpacing = 0.0;
   double WindTimeSpacing = 0.5;
-  double WindStiffness = 2.0;
+  double WindStiffness = 1.0;
   double Smoothness = 0.005;
   double TouchDownSpread = 2.0;
   double Glide = 1.0;
@@ -91,20 +91,22 @@ struct AssimilationOptions
                        "",
                        "Alternations of fitting the correction with drifting in it, in a round." },
           of.WindRounds...);
+    visit(OptionField{ "WindSpacing",
+                       { 0.0, 1e6 },
+                       "m",
+                       "Spacing of the splines of the wind correction's middle scale in "
+                       "space; one has twice, one half of it." }
+            .Or("a tenth of the volume's longest side"),
+          of.WindSpacing...);
     visit(
       OptionField{
-        "WindSpacing", { 0.0, 1e6 }, "m", "Spacing of the wind correction's splines in space." }
-        .Or("a tenth of the volume's longest side"),
-      of.WindSpacing...);
-    visit(OptionField{ "WindTimeSpacing",
-                       { 1e-3, 1e3 },
-                       "s",
-                       "Spacing of the wind correction's splines in time, in seconds." },
-          of.WindTimeSpacing...);
+        "WindTimeSpacing", { 1e-3, 1e3 }, "s", "Spacing of these splines in time, in seconds." },
+      of.WindTimeSpacing...);
     visit(OptionField{ "WindStiffness",
                        { 1e-3, 1e3 },
                        "",
-                       "Factor of what a wind correction that is not smooth costs." },
+                       "Factor of what the wind correction costs over what it may be off at the "
+                       "objects." },
           of.WindStiffness...);
     visit(OptionField{ "Smoothness",
                        { 0, 10 },

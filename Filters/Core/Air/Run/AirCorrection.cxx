@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/AirCorrection.h"
 
+#include "Air/Field/AirSteering.h"
 #include "Air/Field/WindCorrection.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/BodyTurning.h"
 #include "Air/Run/RunProgress.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,13 +20,21 @@ namespace waft
 namespace
 {
 
-constexpr std::size_t FewestToFitTogether = 128;      // bodies
-constexpr double SteeringRate = 6.0;                  // 1/s, in a volume of 4 m
+constexpr double SteeringShare = 0.8;                 // of what the air lacks, in a frame
 constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0.8 GB
+// What a wind may be off at the bodies, over the flow there: of the first fit to an air as drawn,
+// of the first to one that has been simulated again, and of the last.
+constexpr double FirstError = 1.0;
+constexpr double FurtherError = 0.05;
+constexpr double LastError = 0.01;
+constexpr int FurtherRounds = 3;   // of fits to an air that has been simulated again
+constexpr int MostIterations = 60; // of conjugate gradients
+constexpr int RestFits = 2;        // the lattice is not the splines, and is rounded
+constexpr int WindStride = 3;      // frames between samples of a wind, but for the rest
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
-bool AddWind(const AirContext& run, const HalfSeries& plain, const WindCorrection& correction,
-             HalfSeries& air, Monitor& monitor)
+bool AddTo(const AirContext& run, const HalfSeries& plain, const WindCorrection& correction,
+           HalfSeries& air, Monitor& monitor)
 {
   if (!correction.AddTo(plain, air, run.Parallel, monitor))
   {
@@ -44,12 +55,12 @@ struct Lack
 };
 
 std::vector<Lack> LacksOf(const BodyProblem& body, const std::vector<Vec3>& path,
-                          const AirSampler& air, const WindCorrection& correction)
+                          const AirSampler& air, const WindCorrection& correction, int stride)
 {
   const DriftProblem problem = body.In(air);
   const std::vector<Vec3> controls = DriftControls(problem, air, path);
   std::vector<Lack> lacks;
-  for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
+  for (int k = stride / 2; k < static_cast<int>(controls.size()); k += stride)
   {
     const auto at = static_cast<std::size_t>(k);
     if (IsFreeStep(problem, path, k))
@@ -62,8 +73,8 @@ std::vector<Lack> LacksOf(const BodyProblem& body, const std::vector<Vec3>& path
 }
 
 // The wind that would have made the controls needless: what it is at the bodies, and they.
-bool FitWind(const AirContext& run, const AirState& state, const WindCorrectionOptions& options,
-             WindCorrection& correction, Monitor& monitor)
+bool Fit(const AirContext& run, const AirState& state, double error, int stride,
+         WindCorrection& correction, Monitor& monitor)
 {
   const AirBodies& bodies = state.Bodies;
   const AirSampler air(state.Sampled.Velocity);
@@ -73,7 +84,7 @@ bool FitWind(const AirContext& run, const AirState& state, const WindCorrectionO
                {
                  for (std::size_t o = begin; o < end; ++o)
                  {
-                   lacks[o] = LacksOf(bodies.Problems[o], bodies.Paths[o], air, correction);
+                   lacks[o] = LacksOf(bodies.Problems[o], bodies.Paths[o], air, correction, stride);
                  }
                });
   std::map<int, WindSamples> byFrame;
@@ -92,66 +103,61 @@ bool FitWind(const AirContext& run, const AirState& state, const WindCorrectionO
   {
     samples.push_back(std::move(at));
   }
-  SingleRank alone;
-  Communicator* ranks = run.Input.Ranks;
-  if (ranks == nullptr || ranks->Size() == 1 || bodies.Size() < FewestToFitTogether)
+  return correction.Fit(samples, error, MostIterations, run.Parallel, monitor);
+}
+
+WindCorrection CorrectionOf(const AirContext& run, const HalfSeries& plain)
+{
+  const Box& volume = run.Input.Scene.Bounds;
+  std::vector<WindScale> scales =
+    ScalesOf(plain, WindSpacingIn(volume, run.Options),
+             run.Options.WindTimeSpacing * TimeScaleOf(volume.Width()));
+  return WindCorrection(volume, run.Input.Scene.Time, scales, run.FromSolids);
+}
+
+double FlowAt(const AirContext& run, const AirState& state)
+{
+  ResidualControl all;
+  for (const ResidualControl& own : ResidualControlsOf(run, state.Bodies, state.Sampled.Velocity))
   {
-    return correction.Fit(samples, run.Parallel, alone, monitor);
+    all.Flow += own.Flow;
+    all.Steps += own.Steps;
   }
-  MemoryStream job;
-  job.Values(run.Input.Scene, options, correction.Values(), samples);
-  const WorkSharing others(*ranks, WindKind, job);
-  return correction.Fit(samples, run.Parallel, *ranks, monitor);
+  return std::max(all.Rms(all.Flow), 1e-3);
 }
 
 } // namespace
 
-Result ServeWind(ReadingStream& inputs, Communicator& ranks, const ParallelFor& parallel)
+Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
-  SceneInfo scene;
-  WindCorrectionOptions options;
-  std::vector<double> values;
-  std::vector<WindSamples> samples;
-  inputs.Values(scene, options, values, samples);
-  WindCorrection correction(scene.Bounds, scene.Time, options);
-  correction.Values() = values;
-  SilentMonitor silent; // the first rank's is asked
-  (void)correction.Fit(samples, parallel, ranks, silent);
-  return Result::Ok();
-}
-
-Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
-                AssimilationOutput& output)
-{
-  WindCorrectionOptions options;
-  options.Spacing = WindSpacingIn(run.Input.Scene.Bounds, run.Options);
-  options.TimeSpacing = run.Options.WindTimeSpacing * TimeScaleOf(run.Input.Scene.Bounds.Width());
-  options.Ridge *= run.Options.WindStiffness;
-  options.Bending *= run.Options.WindStiffness;
-  options.Changing *= run.Options.WindStiffness;
-  WindCorrection correction(run.Input.Scene.Bounds, run.Input.Scene.Time, options);
+  const HalfSeries plain = state.Sampled.Velocity;
+  WindCorrection correction = CorrectionOf(run, plain);
+  const double flow = FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
+  const bool isDrawn = state.Rounds == 0;
+  const int rounds =
+    isDrawn ? run.Options.WindRounds : std::min(FurtherRounds, run.Options.WindRounds);
+  const double firstError = isDrawn ? FirstError : FurtherError;
   const double begin = ProgressOf(run.Options.Rounds, state.Rounds, 0.0);
   const double step =
-    (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / run.Options.WindRounds;
-  const int again = run.Options.WindRounds / 2;
-  for (int k = 0; k < run.Options.WindRounds; ++k)
+    (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / std::max(1, rounds);
+  for (int k = 0; k < rounds; ++k)
   {
-    const bool isFirst = k == 0 && state.Bodies.Poses.empty();
-    if (isFirst || (k == again && run.Options.Rounds > 0))
+    if (isDrawn && (k == 0 || k == rounds / 2))
     {
-      const Result turned = isFirst ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
-                                                   Everybody(state.Bodies), state.Bodies)
-                                    : TurnDisagreeing(run, state.Sampled.Velocity, state.Bodies);
+      const Result turned = k == 0 ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
+                                                  Everybody(state.Bodies), state.Bodies)
+                                   : TurnDisagreeing(run, state.Sampled.Velocity, state.Bodies);
       if (!turned || turned.IsStopped())
       {
-        state.Sampled.Velocity = plain;
         return turned;
       }
     }
+    const double done = static_cast<double>(k) / std::max(1, rounds - 1);
+    const double error = flow * firstError * std::pow(LastError / firstError, done);
     PartMonitor fitting(run.Caller, begin + k * step, begin + (k + 0.5) * step,
                         "Fitting the wind correction");
-    const bool isFitted = FitWind(run, state, options, correction, fitting);
-    if (!isFitted || !AddWind(run, plain, correction, state.Sampled.Velocity, fitting))
+    const bool isFitted = Fit(run, state, error, WindStride, correction, fitting);
+    if (!isFitted || !AddTo(run, plain, correction, state.Sampled.Velocity, fitting))
     {
       state.Sampled.Velocity = plain;
       return Result::Stopped();
@@ -169,6 +175,25 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
   return Result::Ok();
 }
 
+Result AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
+{
+  const HalfSeries plain = state.Sampled.Velocity;
+  WindCorrection correction = CorrectionOf(run, plain);
+  const double error = LastError * FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
+  for (int k = 0; k < RestFits; ++k)
+  {
+    PartMonitor fitting(run.Caller, 1.0, 1.0, "Fitting what the air lacks still");
+    const bool isFitted = Fit(run, state, error, 1, correction, fitting);
+    if (!isFitted || !AddTo(run, plain, correction, state.Sampled.Velocity, fitting))
+    {
+      state.Sampled.Velocity = plain;
+      return Result::Stopped();
+    }
+    output.Rounds.push_back(RoundOf(run, state, "rest " + std::to_string(k + 1), &correction));
+  }
+  return Result::Ok();
+}
+
 Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
                      AssimilationOutput& output)
 {
@@ -177,7 +202,7 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
   const bool isLong = plain.Values.size() * plain.NumberOfPoints() > LongAir;
   AirSteering steering(std::move(state.Sampled.Velocity), std::move(plain),
                        std::move(state.Sampled.Wind),
-                       SteeringRate / TimeScaleOf(run.Input.Scene.Bounds.Width()), isLong);
+                       SteeringShare * run.Input.Scene.Time.FramesPerSecond, isLong);
   state.Sampled = SampledAir();
   HalfSeries air;
   PartMonitor monitor(run.Caller, ProgressOf(rounds, state.Rounds, WindEnd),
@@ -208,6 +233,14 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
   if (!sought || sought.IsStopped())
   {
     return sought;
+  }
+  if (state.Rounds + 1 < rounds)
+  {
+    const Result turned = TurnDisagreeing(run, state.Sampled.Velocity, state.Bodies);
+    if (!turned || turned.IsStopped())
+    {
+      return turned;
+    }
   }
   output.Rounds.push_back(RoundOf(run, state, "simulate " + number));
   return Result::Ok();

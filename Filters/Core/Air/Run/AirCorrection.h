@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a round does: the wind that the controls have in common, and the air with its force.
+// What an air is changed by for the marks' sake: a wind added to it, and the air simulated with the
+// force of that.
 #pragma once
 
 #include "Air/Run/AirState.h"
-#include "Base/SharedWork.h"
 
 namespace waft
 {
 
-/// The air without and then with the wind that the controls have in common, in which the objects
-/// drift. plain: the air without.
-Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
-                AssimilationOutput& output);
+/// The air with the wind that makes the controls needless, found jointly with the paths.
+Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& output);
 
-inline constexpr const char* WindKind = "wind";
-/// Fits the wind that the controls have in common with rank 0, which does so for FindWind.
-Result ServeWind(ReadingStream& inputs, Communicator& ranks, const ParallelFor& parallel);
+/// The air as it is with what its bodies on their paths lack still.
+Result AddRest(const AirContext& run, AirState& state, AssimilationOutput& output);
 
-/// Towards the air with the wind correction, by what its motion asks for beside what drives it now;
-/// then the objects drift in it.
+/// Towards the air as it is, by what its motion asks for beside what drives it in `plain`; then the
+/// objects drift in it.
 Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
                      AssimilationOutput& output);
 

@@ -97,13 +97,13 @@ ToldRun ToldOf(const AirContext& run)
   ToldRun told;
   told.Problem.Scene = run.Input.Scene;
   told.Problem.Objects = run.Input.Objects;
-  told.Problem.Constraints = run.Input.Constraints;
+  told.Problem.Constraints = run.Rows;
   told.Problem.Obstacles = run.Input.Obstacles;
-  for (const Track& track : run.Input.Tracks)
+  for (std::size_t o = 0; o < run.Plans.size(); ++o)
   {
     told.Problem.Tracks.emplace_back();
-    told.Problem.Tracks.back().ObjectId = track.ObjectId;
-    told.Problem.Tracks.back().Positions = track.Positions;
+    told.Problem.Tracks.back().ObjectId = run.Input.Tracks[o].ObjectId;
+    told.Problem.Tracks.back().Positions = run.Plans[o];
   }
   told.Options = run.Options;
   told.HasSolids = run.Search.HasSolids;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/AirResult.h"
 
+#include "Air/Run/AirCorrection.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/BodyTurning.h"
@@ -68,6 +69,10 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
     KeepApart(run, state.Sampled.Velocity, bodies);
   }
   const std::vector<char> clear = FinishPaths(run, state.Sampled.Velocity, bodies);
+  if (!isStopped && bodies.IsOld.empty() && run.Options.WindRounds > 0) // an edit keeps the air
+  {
+    WAFT_RETURN_IF_FAILED(AddRest(run, state, output));
+  }
   if (!output.Rounds.empty() && output.Rounds.back().Stage == Finished)
   {
     output.Rounds.pop_back(); // of the run that this one goes on from

@@ -37,12 +37,12 @@ double WindAlong(const BodyProblem& body, const WindCorrection& correction, cons
 {
   const DriftProblem problem = body.In(air);
   double sum = 0.0;
-  for (std::size_t k = 0; k + 1 < path.size(); k += WindStride)
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
   {
     if (IsFreeStep(problem, path, static_cast<int>(k)))
     {
       const Vec3 middle = 0.5 * (path[k] + path[k + 1]);
-      sum += WindStride * correction.At(middle, static_cast<double>(k) + 0.5).squaredNorm();
+      sum += correction.At(middle, static_cast<double>(k) + 0.5).squaredNorm();
     }
   }
   return sum;

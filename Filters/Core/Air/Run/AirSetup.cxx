@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace waft
 {
@@ -15,48 +16,81 @@ namespace
 {
 
 // The ground is mostly a slab below the volume, which the air does not meet.
-bool HasSolidsInside(const AssimilationInput& input)
+bool IsInside(const Box& volume, const ObstacleMesh& obstacle)
 {
-  const Box& volume = input.Scene.Bounds;
   const double touching = 1e-6 * volume.Width();
-  for (const ObstacleMesh& obstacle : input.Obstacles)
-  {
-    const Box box = BoxAbout(obstacle.Mesh.Points);
-    const bool apart = ((box.Max - volume.Min).array() <= touching).any() ||
-                       ((volume.Max - box.Min).array() <= touching).any();
-    if (!apart || obstacle.IsMoving())
-    {
-      return true;
-    }
-  }
-  return false;
+  const Box box = BoxAbout(obstacle.Mesh.Points);
+  const bool apart = ((box.Max - volume.Min).array() <= touching).any() ||
+                     ((volume.Max - box.Min).array() <= touching).any();
+  return !apart || obstacle.IsMoving();
 }
 
 } // namespace
 
+Result SetUpObstacles(AirContext& run)
+{
+  WAFT_RETURN_IF_FAILED(run.Obstacles.Build(run.Input.Obstacles));
+  std::vector<ObstacleMesh> inside;
+  for (const ObstacleMesh& obstacle : run.Input.Obstacles)
+  {
+    if (IsInside(run.Input.Scene.Bounds, obstacle))
+    {
+      inside.push_back(obstacle);
+    }
+  }
+  if (!inside.empty())
+  {
+    WAFT_RETURN_IF_FAILED(run.Inside.Build(std::move(inside)));
+    run.FromSolids = [&solids = run.Inside](const Vec3& x, double frame, double reach, Vec3& away)
+    {
+      SurfaceHit hit;
+      const double distance = solids.SignedDistance(x, frame, reach, hit);
+      away = hit.Normal;
+      return distance;
+    };
+  }
+  return Result::Ok();
+}
+
+BodyProblem ProblemOf(const AirContext& run, const MotionObject& object,
+                      const std::vector<Vec3>& plan, std::vector<Constraint> rows)
+{
+  if (object.VelocityGiven != 0)
+  {
+    Constraint row;
+    row.ObjectId = object.ObjectId;
+    row.Kind = ConstraintKind::Velocity;
+    row.Value = object.Velocity;
+    row.Row = row.Target = OfNoRow;
+    rows.push_back(row);
+  }
+  return BodyProblem(run.Around, object, plan, std::move(rows));
+}
+
 Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput& output)
 {
-  output.Constraints = run.Input.Constraints;
-  output.Report =
-    JudgeConstraints(run.Input.Constraints, run.Input.Objects, run.Obstacles, run.Input.Scene);
+  bodies = AirBodies();
+  output.Constraints = run.Rows;
+  output.Report = JudgeConstraints(run.Rows, run.Input.Objects, run.Obstacles, run.Input.Scene);
   std::map<int, const MotionObject*> objects;
   for (const MotionObject& object : run.Input.Objects)
   {
     objects[object.ObjectId] = &object;
   }
-  const RowsOfObjects places(run.Input.Constraints);
-  for (const Track& track : run.Input.Tracks)
+  const RowsOfObjects places(run.Rows);
+  for (std::size_t o = 0; o < run.Input.Tracks.size(); ++o)
   {
-    const auto object = objects.find(track.ObjectId);
+    const int id = run.Input.Tracks[o].ObjectId;
+    const std::vector<Vec3>& plan = run.Plans[o];
+    const auto object = objects.find(id);
     if (object == objects.end())
     {
-      return Result::Error("Objects: no object " + std::to_string(track.ObjectId) +
-                           ", which Tracks has");
+      return Result::Error("Objects: no object " + std::to_string(id) + ", which Tracks has");
     }
     std::vector<Constraint> rows;
-    for (const std::size_t place : places.Of(track.ObjectId))
+    for (const std::size_t place : places.Of(id))
     {
-      const Constraint& row = run.Input.Constraints[place];
+      const Constraint& row = run.Rows[place];
       if (IsBinding(row, output.Report))
       {
         rows.push_back(row);
@@ -66,22 +100,13 @@ Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput&
         // The plan comes as near as it can.
         Constraint near = row;
         near.Kind = ConstraintKind::Position;
-        near.Value = track.Positions[static_cast<std::size_t>(row.Frame)];
+        near.Value = plan[static_cast<std::size_t>(row.Frame)];
         near.Radius = 0.0;
         rows.push_back(near);
       }
     }
-    if (object->second->VelocityGiven != 0)
-    {
-      Constraint row;
-      row.ObjectId = track.ObjectId;
-      row.Kind = ConstraintKind::Velocity;
-      row.Value = object->second->Velocity;
-      row.Row = row.Target = OfNoRow;
-      rows.push_back(row);
-    }
-    bodies.Problems.emplace_back(run.Around, *object->second, track.Positions, rows);
-    bodies.Paths.push_back(track.Positions);
+    bodies.Problems.push_back(ProblemOf(run, *object->second, plan, std::move(rows)));
+    bodies.Paths.push_back(plan);
   }
   return Result::Ok();
 }
@@ -106,7 +131,7 @@ AirScene SetUpScene(const AirContext& run)
   }
   scene.LatticeDimensions = AirLatticeDimensions(smoke.Bounds, run.Options);
   scene.Time = run.Input.Scene.Time;
-  if (run.Solids && HasSolidsInside(run.Input))
+  if (run.Solids && run.FromSolids)
   {
     scene.Solids = run.Solids(smoke);
     scene.SolidsMove = run.Obstacles.HasMoving();

@@ -4,6 +4,7 @@
 
 #include "Air/Drift/DriftSearch.h"
 #include "Air/Field/AirSimulation.h"
+#include "Air/Field/WindCorrection.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Air/Run/AssimilationState.h"
 #include "Grid/SmokeEnsemble.h"
@@ -62,9 +63,13 @@ struct AirContext
   AirContext(const AssimilationInput& input, const AssimilationOptions& options,
              const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor) :
     Input(input),
-    Options(options), Solids(solids), Parallel(parallel),
+    Rows(input.Constraints), Options(options), Solids(solids), Parallel(parallel),
     Caller(monitor), Around{ input.Scene, this->Obstacles, options.Inertia }
   {
+    for (const Track& track : input.Tracks)
+    {
+      this->Plans.push_back(track.Positions);
+    }
     const double rate = input.Scene.Time.FramesPerSecond;
     const double scale = TimeScaleOf(input.Scene.Bounds.Width());
     this->Search.Weights.Smoothness = options.Smoothness * scale * scale;
@@ -83,6 +88,8 @@ struct AirContext
   }
 
   const AssimilationInput& Input;
+  std::vector<Constraint> Rows;         // the input's; who goes where may be chosen by the air
+  std::vector<std::vector<Vec3>> Plans; // by track, the input's or a drift to other marks
   const AssimilationOptions& Options;
   const SolidsOn& Solids;
   const ParallelFor& Parallel;
@@ -90,7 +97,9 @@ struct AirContext
   /// Of the motion so far, to who watches.
   std::function<void(const AirBodies& bodies)> Publish;
   ObstacleSet Obstacles;
-  DriftScene Around; // of all bodies
+  ObstacleSet Inside;            // those of them that air meets
+  DistanceFromSolids FromSolids; // to these; null: there are none
+  DriftScene Around;             // of all bodies
   DriftSearch Search;
   AssimilationKey Key;
   mutable bool IsTold = false;       // to the other ranks

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/AssimilationResume.h"
 
+#include "Air/Run/AirSetup.h"
+#include "Air/Run/AirWho.h"
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -15,7 +18,9 @@ AssimilationState Kept(const AirContext& run, const AirState& state,
                        const AssimilationOutput& output)
 {
   AssimilationState kept;
-  kept.Key = run.Key;
+  kept.Key = KeyOf(run.Input, run.Options, run.Rows);
+  kept.Who = WhoOf(run);
+  kept.Plans = PlansOf(run);
   kept.Candidate = state.Candidate;
   kept.Forces = state.Scene.Forces;
   kept.Forces.Wind = FieldSeries();
@@ -103,7 +108,7 @@ void KeepCheckpoint(const AirContext& run, const AirState& state, const Assimila
   checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); });
 }
 
-bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
+bool Resume(AirContext& run, CheckpointFile& checkpoint, AirState& state,
             AssimilationOutput& output)
 {
   AssimilationState kept;
@@ -113,6 +118,10 @@ bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
     return HasPaths(kept, run);
   };
   if (!checkpoint.Read(content))
+  {
+    return false;
+  }
+  if (!TakeWho(kept.Who, kept.Plans, run, state.Bodies, output))
   {
     return false;
   }
@@ -126,7 +135,7 @@ bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
   return true;
 }
 
-bool TakeEdit(const AirContext& run, const AssimilationState* memory, AirState& state,
+bool TakeEdit(AirContext& run, const AssimilationState* memory, AirState& state,
               AssimilationOutput& output)
 {
   AssimilationState kept;
@@ -148,17 +157,28 @@ bool TakeEdit(const AirContext& run, const AssimilationState* memory, AirState& 
       return false;
     }
   }
-  // A plan that is another one without new rows asks for another motion as a whole.
   if (!kept.IsFinished || !kept.Key.IsOfSameAir(run.Key) || !HasPaths(kept, run) ||
-      (kept.Key.Wanted == run.Key.Wanted && kept.Key.Planned != run.Key.Planned))
+      !TakeWho(kept.Who, kept.Plans, run, state.Bodies, output))
   {
+    return false;
+  }
+  const AssimilationKey now = KeyOf(run.Input, run.Options, run.Rows);
+  // A plan that is another one without new rows asks for another motion as a whole.
+  if (kept.Key.Wanted == now.Wanted && kept.Key.Planned != now.Planned)
+  {
+    run.Rows = run.Input.Constraints;
+    for (std::size_t o = 0; o < run.Plans.size(); ++o)
+    {
+      run.Plans[o] = run.Input.Tracks[o].Positions;
+    }
+    (void)SetUpBodies(run, state.Bodies, output); // as it was
     return false;
   }
   Take(run, kept, state, output);
   state.Bodies.IsOld.assign(state.Bodies.Size(), 0);
   for (std::size_t o = 0; o < state.Bodies.Size(); ++o)
   {
-    if (kept.Key.Wanted[o] == run.Key.Wanted[o])
+    if (kept.Key.Wanted[o] == now.Wanted[o])
     {
       TakePath(o, kept, state.Bodies);
       state.Bodies.IsOld[o] = 1;

@@ -13,12 +13,12 @@ CheckpointFile CheckpointOf(const AirContext& run, AssimilationOutput& output);
 void KeepCheckpoint(const AirContext& run, const AirState& state, const AssimilationOutput& output,
                     CheckpointFile& checkpoint);
 /// False where there is none that fits.
-bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
+bool Resume(AirContext& run, CheckpointFile& checkpoint, AirState& state,
             AssimilationOutput& output);
 
 /// The air and what did not change from the last run (memory, or null), or from EditOf; only the
 /// rest is to drift. False where there is nothing that fits.
-bool TakeEdit(const AirContext& run, const AssimilationState* memory, AirState& state,
+bool TakeEdit(AirContext& run, const AssimilationState* memory, AirState& state,
               AssimilationOutput& output);
 /// A finished run, for the next: to memory, unless it is null, and StateFile.
 void Leave(const AirContext& run, const AirState& state, AssimilationOutput& output,

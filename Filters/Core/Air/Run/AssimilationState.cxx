@@ -33,7 +33,8 @@ MotionProblem SurroundingsOf(const AssimilationInput& input, const AssimilationO
   return around;
 }
 
-AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options)
+AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options,
+                      const std::vector<Constraint>& rows)
 {
   AssimilationKey key;
   DigestStream around;
@@ -50,7 +51,7 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
   seedless.Seed = -1;
   AssimilationOptions::VisitAir(around, seedless);
   key.Surroundings = around.Sum();
-  const RowsOfObjects places(input.Constraints);
+  const RowsOfObjects places(rows);
   std::unordered_map<int, const MotionObject*> objects;
   for (const MotionObject& object : input.Objects)
   {
@@ -65,7 +66,7 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
     }
     for (const std::size_t place : places.Of(track.ObjectId))
     {
-      wanted.Values(input.Constraints[place]);
+      wanted.Values(rows[place]);
     }
     key.Ids.push_back(track.ObjectId);
     key.Wanted.push_back(wanted.Sum());

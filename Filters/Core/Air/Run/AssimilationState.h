@@ -38,7 +38,13 @@ struct AssimilationKey
 
 /// What an air is drawn from: the input without objects and rows, with the seed of its air.
 MotionProblem SurroundingsOf(const AssimilationInput& input, const AssimilationOptions& options);
-AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options);
+/// rows: the input's, of which some may have other objects.
+AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options,
+                      const std::vector<Constraint>& rows);
+inline AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options)
+{
+  return KeyOf(input, options, input.Constraints);
+}
 
 struct AssimilationState
 {
@@ -54,6 +60,8 @@ struct AssimilationState
   std::vector<std::vector<int>> TouchDowns; // one a landing
   std::vector<std::vector<int>> LiftOffs;   // likewise
   std::vector<AssimilationRound> Table;
+  std::vector<int> Who;                 // Row, Target, ObjectId of each row whose object was chosen
+  std::vector<std::vector<Vec3>> Plans; // of tracks that are not planned as the input has it
 
   /// All but the Air, whose bytes are packed.
   template <class Visitor, class... Holder>
@@ -71,12 +79,14 @@ struct AssimilationState
     visit(of.TouchDowns...);
     visit(of.LiftOffs...);
     visit(of.Table...);
+    visit(of.Who...);
+    visit(of.Plans...);
   }
 
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-inline constexpr StateKind AssimilationKind = { "assimilation", 6 };
+inline constexpr StateKind AssimilationKind = { "assimilation", 7 };
 
 void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel);
 void ReadSeries(StateArchive& stream, HalfSeries& series);

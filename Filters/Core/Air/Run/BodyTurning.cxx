@@ -2,12 +2,9 @@
 #include "Air/Run/BodyTurning.h"
 
 #include "Air/Drift/DriftSearch.h"
-#include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
-#include "Air/Run/EachBody.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -21,8 +18,6 @@ constexpr double Degree = 0.017453292519943295;  // rad
 constexpr double AgreeingMedian = 15.0 * Degree; // rad, that is wanted of each body
 constexpr double AgreeingHigh = 45.0 * Degree;   // of the 90th percentile
 constexpr double StepTime = 1.0 / 3.0;           // s
-// Of the last passes. What tumbles is chaotic: other steps bring it elsewhere.
-constexpr std::array<double, 3> LastStepTimes = { StepTime, 0.5 * StepTime, 1.5 * StepTime };
 constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
@@ -174,18 +169,6 @@ bool AreFew(const AirBodies& bodies)
   return bodies.Size() < FewestForPercentiles;
 }
 
-// Control over the flow, of each body.
-std::vector<double> ControlShares(const AirContext& run, const HalfSeries& air,
-                                  const AirBodies& bodies)
-{
-  std::vector<double> shares;
-  for (const ResidualControl& own : ResidualControlsOf(run, bodies, air))
-  {
-    shares.push_back(own.Rms(own.Control) / std::max(own.Rms(own.Flow), 1e-12));
-  }
-  return shares;
-}
-
 // Its poses after a frame, and the slips of these; what was before stays.
 void TakePoses(int frame, const AirContext& run, std::size_t o, PoseTrack& turned,
                AirBodies& bodies)
@@ -260,13 +243,16 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
   return DriftOn(run, air, iterations, bodies, drifting);
 }
 
-Result TurnStepwise(const AirContext& run, const HalfSeries& air, double stepTime,
-                    const std::vector<char>& which, AirBodies& bodies)
+namespace
+{
+
+Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
+                    AirBodies& bodies)
 {
   const AirSampler sampler(air);
   const int frames = run.Input.Scene.Time.NumberOfFrames;
   const int stride =
-    std::max(1, static_cast<int>(std::lround(stepTime * run.Input.Scene.Time.FramesPerSecond)));
+    std::max(1, static_cast<int>(std::lround(StepTime * run.Input.Scene.Time.FramesPerSecond)));
   for (int first = 0; first < frames - 1; first += stride)
   {
     Turning turning;
@@ -307,6 +293,8 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, double stepTim
   return Result::Ok();
 }
 
+} // namespace
+
 Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
 {
   std::vector<std::vector<double>> away;
@@ -320,64 +308,7 @@ Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& 
   {
     which.push_back(Disagreement(own, AreFew(bodies)) > 1.0 ? 1 : 0);
   }
-  return IsNobody(which) ? found : TurnStepwise(run, air, StepTime, which, bodies);
-}
-
-Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
-{
-  std::vector<std::vector<double>> away;
-  Result result = FindAway(run, air, Everybody(bodies), bodies, away);
-  std::vector<double> least; // disagreement
-  for (const std::vector<double>& own : away)
-  {
-    least.push_back(Disagreement(own, AreFew(bodies)));
-  }
-  const std::vector<double> before = ControlShares(run, air, bodies);
-  std::vector<char> which = Everybody(bodies);
-  for (const double stepTime : LastStepTimes)
-  {
-    if (!result || result.IsStopped())
-    {
-      break;
-    }
-    for (std::size_t o = 0; o < bodies.Size(); ++o)
-    {
-      which[o] = which[o] && least[o] > 1.0 && !bodies.IsKept(o) ? 1 : 0;
-    }
-    if (IsNobody(which))
-    {
-      break;
-    }
-    const std::vector<std::vector<Vec3>> paths = bodies.Paths;
-    const std::vector<PoseTrack> poses = bodies.Poses;
-    result = TurnStepwise(run, air, stepTime, which, bodies);
-    if (result && !result.IsStopped())
-    {
-      PartMonitor drifting(run.Caller, -1.0, -1.0, DriftingText);
-      result = EachBody(run, air, BodyTask::Drift, DriftIterations, which, bodies, drifting);
-    }
-    if (result && !result.IsStopped())
-    {
-      result = FindAway(run, air, which, bodies, away);
-    }
-    const std::vector<double> shares = ControlShares(run, air, bodies);
-    for (std::size_t o = 0; o < bodies.Size(); ++o)
-    {
-      const double now = Disagreement(away[o], AreFew(bodies));
-      const bool isCalm = shares[o] <= std::max(EnoughControl, before[o]);
-      if (which[o] && isCalm && now < least[o] && result && !result.IsStopped())
-      {
-        least[o] = now;
-      }
-      else if (which[o])
-      {
-        bodies.Paths[o] = paths[o];
-        bodies.Poses[o] = poses[o];
-        bodies.Problems[o].SetSlips(poses[o].Slips);
-      }
-    }
-  }
-  return result;
+  return IsNobody(which) ? found : TurnStepwise(run, air, which, bodies);
 }
 
 } // namespace waft

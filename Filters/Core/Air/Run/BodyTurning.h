@@ -25,19 +25,12 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
                     const std::vector<char>& which, AirBodies& bodies);
 
 /// Turns bodies anew by the air as it is, step by step: what of their paths has been flown in the
-/// poses of a step [s] stays, and they drift on from there, so that the air in which they turn is
-/// that through which they go.
-Result TurnStepwise(const AirContext& run, const HalfSeries& air, double stepTime,
-                    const std::vector<char>& which, AirBodies& bodies);
-
-/// So turns those whose poses are not what the air as it has become makes of them: whose Agreement
-/// (Rotation/Agreement.h) is more than 15 degrees in the median, or 45 in the 90th percentile. An
-/// edit asks no body that it leaves as it was. Of more than 2048 bodies all keep the poses of their
-/// first turning: to ask and to turn them again takes longer than all else that they need.
+/// poses of a step stays, and they drift on from there, so that the air in which they turn is that
+/// through which they go. So turns those whose poses are not what the air as it has become makes of
+/// them: whose Agreement (Rotation/Agreement.h) is more than 15 degrees in the median, or 45 in the
+/// 90th percentile. An edit asks no body that it leaves as it was. Of more than 2048 bodies all
+/// keep the poses of their first turning: to ask and to turn them again takes longer than all else
+/// that they need.
 Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
-/// In an air that becomes no other, up to three times, by steps of other lengths: with a drift of
-/// all the path after it. Who agrees no better then, or needs more control than before and than an
-/// air may leave (EnoughControl), keeps its poses and its path of the best time.
-Result TurnAstray(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
 
 } // namespace waft

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A solenoidal wind of one scale: the curl of splines of space and time.
+#pragma once
+
+#include "Base/HalfSeries.h"
+#include "Base/Types.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace waft
+{
+
+/// Holds a wind back beside surfaces: a factor of its potential, and that factor's gradient [1/m].
+struct WindHold
+{
+  double Factor = 1.0;
+  Vec3 Slope = Vec3::Zero();
+};
+
+/// From 0 on a surface to 1 at a distance of 1 (Bridson, Houriham, Nordenstam 2007).
+double HoldAt(double distance, double& slope);
+
+/// W = curl A [m/s] with A in cubic B-splines of space and time. The parts of A along a wall vanish
+/// there, so that W is tangential there. Coefficients are [knot][x, y, z][node], x fastest of the
+/// nodes; of unit variance and independent of each other they make a wind whose components have a
+/// given one, away from walls.
+class WindSplines
+{
+public:
+  /// The splines that are not zero at a point of an axis: plain, held back at the walls, and the
+  /// derivative of the latter.
+  struct Axis
+  {
+    int First = 0;
+    alignas(32) double Plain[4], Held[4], Slope[4];
+  };
+  struct Place
+  {
+    Axis Along[3];
+    WindHold Hold;
+  };
+  struct Instant // the splines of time at a frame
+  {
+    int First = 0;
+    double Weight[4];
+  };
+  /// Where the four nodes along x begin that are the j-th along y and the k-th along z: [4 k + j].
+  using Rows = std::array<int, 16>;
+
+  /// spacing: of the splines, and how far from a wall they are held back [m]; timeSpacing: s.
+  WindSplines(const Box& volume, const Timeline& time, double spacing, double timeSpacing,
+              double variance);
+
+  double Spacing() const { return this->Reach; }
+  std::size_t Nodes() const;
+  std::size_t Knots() const { return this->KnotCount; }
+  std::size_t Coefficients() const { return 3 * this->Nodes() * this->Knots(); }
+
+  Place At(const Vec3& x) const;
+  Instant At(double frame) const;
+  Rows RowsOf(const Place& place) const;
+  /// Of coefficients at an instant, [x, y, z][node], of which each row's four lie side by side.
+  static Vec3 Curl(const Place& place, const Rows& rows, const double* values, std::size_t nodes);
+  /// To these, what the product of a value and the curl is of each.
+  static void AddCurl(const Place& place, const Rows& rows, const Vec3& value, double* values,
+                      std::size_t nodes);
+
+  /// The wind at the points of a lattice at a frame, added to a field. holds: by point, or empty.
+  void AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,
+             const std::vector<WindHold>& holds, HalfSeries::Field& field) const;
+
+private:
+  Axis AxisAt(int axis, double x) const;
+
+  Box Volume;
+  double Reach;
+  std::array<int, 3> Count{}; // splines along each axis
+  Vec3 Step = Vec3::Ones();
+  std::size_t KnotCount = 0;
+  double FramesPerKnot = 1.0;
+  double Unit = 1.0; // of the coefficients [m^2/s]
+};
+
+} // namespace waft
