@@ -125,7 +125,7 @@ class AnimationTest(unittest.TestCase):
             self.assertEqual(animation.Quality, "Air")
 
     def test_unfolds_into_stages_of_their_own(self):
-        for quality, seed, detail in (("Preview", -1, [32, 32, 1]), ("Air", 9, [64, 48, 3])):
+        for quality, seed, detail in (("Preview", -1, [32, 32, 0]), ("Air", 9, [64, 48, 2])):
             with self.subTest(quality=quality):
                 animation = self.make(Quality=quality, Seed=seed, StopAfter="Scene", NumberOfTakes=2, Take=1)
                 animation.StopAfter = "Rotation"

@@ -37,7 +37,7 @@ SCENE = {"waft": 1, "title": "Small", "time": {"frames": 31}, "shapes": {"leaf":
                         "motion": [{"frame": 0, "position": [0, 0, 0]}, {"frame": 30, "position": [0.3, 0, 0]}]}],
          "constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [-0.3, -0.2, 1.3], "radius": 0.1},
                          {"kind": "rest", "object": 2, "frame": 25, "value": [0.1, 0.9, 0.3]}]}
-COARSE = {"Resolution": 16, "LatticeResolution": 12}
+COARSE = {"Resolution": 16, "LatticeResolution": 12, "Rounds": 1}  # a preview has no wind of its own
 TAKEN = {"takes": [{"seed": 3, "folder": "take-0003", "key": "k", "status": 0, "outcome": "all met", "message": "", "seconds": 1.5,
                     "met": 1, "wishes": 1, "processorSeconds": 1.0, "peakMemoryMB": 10.0,
                     "measures": [{"key": "start", "row": "start", "value": None, "wanted": [0.0, None], "drifters": 1.0, "met": None,

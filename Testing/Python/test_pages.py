@@ -61,6 +61,7 @@ LEFT = {
     ("AirAssimilationFilter.md", "c = x' + k^-1 x''"): FORMULA,
     ("AirAssimilationFilter.md", "kept = min("): FORMULA,
     ("AirAssimilationFilter.md", "minimise  1/2 sum"): FORMULA,
+    ("AirAssimilationFilter.md", "sum |a|^2 + sum"): FORMULA,
     ("Command.md", "threads = 2"): "Python.CommandOptions goes by it",
     ("Core.md", "cmake --preset core-only"): BUILDS,
     ("Core.md", "cmake_minimum_required"): PROJECT,

@@ -110,6 +110,10 @@ void WarnOfLargeControls(const AirContext& run, const AirBodies& bodies, const H
                          double flow, std::vector<std::string>& warnings)
 {
   const std::vector<ResidualControl> residuals = ResidualControlsOf(run, bodies, air);
+  const std::string advice = bodies.IsOld.empty()
+                               ? "give it more time between its marks, or marks that are nearer"
+                               : "this air is kept as it is; flown from the start it is "
+                                 "corrected for it";
   std::size_t warned = 0;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
@@ -119,12 +123,11 @@ void WarnOfLargeControls(const AirContext& run, const AirBodies& bodies, const H
     {
       continue;
     }
-    warnings.push_back(
-      "object " + std::to_string(bodies.Problems[o].Object().ObjectId) +
-      MarksText(bodies.Problems[o].Rows()) +
-      ": the air does not take it there: what moves it besides is " +
-      std::to_string(std::lround(100.0 * part)) +
-      " % of the flow's velocity: give it more time between its marks, or marks that are nearer");
+    warnings.push_back("object " + std::to_string(bodies.Problems[o].Object().ObjectId) +
+                       MarksText(bodies.Problems[o].Rows()) +
+                       ": the air does not take it there: what moves it besides is " +
+                       std::to_string(std::lround(100.0 * part)) +
+                       " % of the flow's velocity: " + advice);
   }
   if (warned > MostWarnings)
   {

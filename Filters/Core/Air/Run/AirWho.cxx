@@ -68,7 +68,7 @@ double DriftBy(const AirContext& run, const AirSampler& air, BodyProblem& body, 
   for (std::size_t k = mayPass ? 0 : 1; k < starts.size(); ++k) // the plan leads elsewhere
   {
     const double cost = SolveDrift(problem, air, run.Search.Weights, iterations, starts[k]).Cost;
-    const bool passes = !mayPass && !run.Obstacles.IsEmpty() && body.PassesThrough(starts[k]);
+    const bool passes = !mayPass && run.FromSolids && body.PassesThrough(starts[k]);
     if (!passes && cost < least)
     {
       least = cost;
