@@ -109,9 +109,10 @@ std::vector<WindScale> ScalesOf(const HalfSeries& air, double spacing, double ti
 }
 
 WindCorrection::WindCorrection(const Box& volume, const Timeline& time,
-                               const std::vector<WindScale>& scales, DistanceFromSolids distance) :
+                               const std::vector<WindScale>& scales, DistanceFromSolids distance,
+                               bool solidsMove) :
   Time(time),
-  Distance(std::move(distance))
+  Distance(std::move(distance)), SolidsMove(solidsMove)
 {
   std::size_t size = 0;
   for (const WindScale& scale : scales)
@@ -123,17 +124,26 @@ WindCorrection::WindCorrection(const Box& volume, const Timeline& time,
   this->Coefficients.assign(size, 0.0);
 }
 
-WindHold WindCorrection::HoldAround(std::size_t scale, const Vec3& x, double frame) const
+WindCorrection::Nearness WindCorrection::NearnessAt(const Vec3& x, double frame) const
+{
+  Nearness near;
+  if (this->Distance)
+  {
+    near.Distance = this->Distance(x, frame, this->Scales.front().Spacing(), near.Away);
+  }
+  return near;
+}
+
+WindHold WindCorrection::HoldOf(std::size_t scale, const Nearness& near) const
 {
   WindHold hold;
   if (this->Distance)
   {
     const double reach = this->Scales[scale].Spacing();
-    Vec3 away = Vec3::Zero();
-    const double distance = this->Distance(x, frame, reach, away);
     double slope = 0.0;
-    hold.Factor = HoldAt(distance / reach, slope);
-    hold.Slope = distance > 0.0 && distance < reach ? Vec3(slope / reach * away) : Vec3::Zero();
+    hold.Factor = HoldAt(near.Distance / reach, slope);
+    hold.Slope =
+      near.Distance > 0.0 && near.Distance < reach ? Vec3(slope / reach * near.Away) : Vec3::Zero();
   }
   return hold;
 }
@@ -141,11 +151,12 @@ WindHold WindCorrection::HoldAround(std::size_t scale, const Vec3& x, double fra
 Vec3 WindCorrection::At(const Vec3& x, double frame) const
 {
   Vec3 wind = Vec3::Zero();
+  const Nearness near = this->NearnessAt(x, frame);
   for (std::size_t l = 0; l < this->Scales.size(); ++l)
   {
     const WindSplines& scale = this->Scales[l];
     WindSplines::Place place = scale.At(x);
-    place.Hold = this->HoldAround(l, x, frame);
+    place.Hold = this->HoldOf(l, near);
     const WindSplines::Instant at = scale.At(frame);
     const WindSplines::Rows rows = scale.RowsOf(place);
     const std::size_t nodes = scale.Nodes();
@@ -163,16 +174,31 @@ bool WindCorrection::AddTo(const HalfSeries& air, HalfSeries& sum, const Paralle
                            Monitor& monitor) const
 {
   PartMonitor part(monitor, 1.0, 1.0);
+  std::vector<Nearness> still(this->Distance && !this->SolidsMove ? air.NumberOfPoints() : 0);
+  parallel(still.size(),
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t i = begin; i < end; ++i)
+             {
+               still[i] = this->NearnessAt(air.PointAt(i), 0.0);
+             }
+           });
   const auto addAt = [&](std::size_t f)
   {
     const double frame = air.Times[f] / this->Time.Step();
     HalfSeries::Field field = air.At(f);
+    std::vector<Nearness> moved(this->Distance && this->SolidsMove ? field.size() : 0);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+    {
+      moved[i] = this->NearnessAt(air.PointAt(i), frame);
+    }
+    const std::vector<Nearness>& near = this->SolidsMove ? moved : still;
     for (std::size_t l = 0; l < this->Scales.size(); ++l)
     {
       std::vector<WindHold> holds(this->Distance ? field.size() : 0);
       for (std::size_t i = 0; i < holds.size(); ++i)
       {
-        holds[i] = this->HoldAround(l, air.PointAt(i), frame);
+        holds[i] = this->HoldOf(l, near[i]);
       }
       this->Scales[l].AddTo(this->Coefficients.data() + this->Begins[l], frame, air, holds, field);
     }
@@ -223,7 +249,7 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
                    {
                      std::fill_n(places.begin() + row, 4, 0);
                    }
-                   cell.Holds.push_back(this->HoldAround(l, x, samples[f].Frame));
+                   cell.Holds.push_back(this->HoldOf(l, this->NearnessAt(x, samples[f].Frame)));
                  }
                  for (std::size_t i = 0; i < places.size(); ++i)
                  {

@@ -46,7 +46,7 @@ class WindCorrection
 {
 public:
   WindCorrection(const Box& volume, const Timeline& time, const std::vector<WindScale>& scales,
-                 DistanceFromSolids distance = nullptr);
+                 DistanceFromSolids distance = nullptr, bool solidsMove = true);
 
   /// The most probable wind whose samples are off by `error` [m/s] (rms of a component); goes on
   /// from the wind as it is, by conjugate gradients. The same on any number of threads. False:
@@ -62,12 +62,21 @@ public:
 private:
   struct Cell; // the samples of a frame, as a scale sees them
 
-  WindHold HoldAround(std::size_t scale, const Vec3& x, double frame) const;
+  struct Nearness // of solids
+  {
+    double Distance = 0.0;
+    Vec3 Away = Vec3::Zero();
+  };
+
+  /// As far as the largest scale is held back.
+  Nearness NearnessAt(const Vec3& x, double frame) const;
+  WindHold HoldOf(std::size_t scale, const Nearness& near) const;
 
   std::vector<WindSplines> Scales;
   std::vector<std::size_t> Begins; // of each scale's coefficients
   Timeline Time;
   DistanceFromSolids Distance;
+  bool SolidsMove;
   std::vector<double> Coefficients;
 };
 

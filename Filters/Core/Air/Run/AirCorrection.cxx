@@ -112,7 +112,8 @@ WindCorrection CorrectionOf(const AirContext& run, const HalfSeries& plain)
   std::vector<WindScale> scales =
     ScalesOf(plain, WindSpacingIn(volume, run.Options),
              run.Options.WindTimeSpacing * TimeScaleOf(volume.Width()));
-  return WindCorrection(volume, run.Input.Scene.Time, scales, run.FromSolids);
+  return WindCorrection(volume, run.Input.Scene.Time, scales, run.FromSolids,
+                        run.FromSolids && run.Inside.HasMoving());
 }
 
 double FlowAt(const AirContext& run, const AirState& state)
