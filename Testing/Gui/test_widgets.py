@@ -61,25 +61,6 @@ class WidgetTest(WindowTest):
         self.assertEqual(len(kept["constraints"]), 3)
         self.assertEqual(kept["objects"][0]["position"], [-1, 0, 3])
 
-    def test_one_apply_shows_an_animation_and_its_stages(self):
-        with tempfile.TemporaryDirectory() as folder:
-            status, printed, notes = play("animation.xml", pathlib.Path(folder), "watch_animation.py", size=(1400, 1700))
-            report = json.loads((pathlib.Path(folder) / "flight" / "report.json").read_text(encoding="utf-8"))
-            self.assertEqual(1, report["constraints"]["met"], "the flight was saved")
-            gap = float((pathlib.Path(folder) / "log.gap").read_text(encoding="utf-8"))
-            self.assertLess(gap, 5.0, "seconds in which the window was dead")
-        super().check_run(status, printed)
-        self.assertIn({"Meshes": "MotionBodiesRepresentation", "Poses": "MotionFaintPathsRepresentation",
-                       "Obstacles": "MotionObstaclesRepresentation", "Marks": "MotionMarksRepresentation"},
-                      [note["shown"] for note in notes])
-        self.assertEqual({note["views"] for note in notes}, {1}, "no spreadsheet or chart on Apply")
-        self.assertEqual(notes[-1]["sources"], ["Assimilation", "Planner", "Rotation", "Scene", "WaftAnimation1"])
-        alone = [note for note in notes if len(note["sources"]) == 1]
-        self.assertIn((4, 4), [(len(note["shown"]), note["eyes"]) for note in alone], "the browser has open eyes for what is shown")
-        before, after = alone[0]["ends"], alone[-1]["ends"]
-        longer = [port for port in range(1, 20) if after[port] - before[port] > 30]
-        self.assertEqual(longer, list(range(13, 20)), "(empty) stands beside the names of those that are, and of no other")
-
     def test_files_open_without_a_question(self):
         with tempfile.TemporaryDirectory() as folder:
             status, printed, notes = play("open.xml", pathlib.Path(folder), "watch_open.py")

@@ -22,23 +22,14 @@ _longest = 0.0
 _let_events_come = ctypes.CDLL(None)["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
 
 
-def _own_time():
-    """Seconds less those in which this thread could have worked and other programs had the machine."""
-    try:
-        with open("/proc/thread-self/schedstat", encoding="ascii") as stream:
-            waited = int(stream.read().split()[1])
-    except (OSError, IndexError):
-        waited = 0
-    return time.monotonic() - 1e-9 * waited
-
-
 def note_gap(since):
-    """The longest time [s] in which the window was dead of itself stands in a file beside the log."""
+    """The longest time [s] in which the window was dead stands in a file beside the log."""
     global _longest
-    if _own_time() - since > _longest:
-        _longest = _own_time() - since
+    gap = time.monotonic() - since
+    if gap > _longest:
+        _longest = gap
         with open(log.name + ".gap", "w", encoding="utf-8") as stream:
-            stream.write(f"{_longest:.2f}")
+            stream.write(f"{gap:.2f}")
 
 
 def write(line):
@@ -62,7 +53,7 @@ def end(status=0):
 
 def watch(look, between=LOOK, ends=False):
     """Calls `look` as long as ParaView runs, one call at a time; with `ends` it is one that ends ParaView, and has a deadline."""
-    began, last = time.monotonic(), _own_time()
+    began = last = time.monotonic()
     is_busy = False
 
     def tick(*_):
@@ -78,7 +69,7 @@ def watch(look, between=LOOK, ends=False):
         except Exception:
             traceback.print_exc()
             end(1)
-        is_busy, last = False, _own_time()
+        is_busy, last = False, time.monotonic()
 
     interactor = view.GetInteractor()
     interactor.AddObserver("TimerEvent", tick)
@@ -91,7 +82,7 @@ def wait_until(condition):
     while not condition():
         if time.monotonic() - began > DEADLINE:
             raise TimeoutError(f"expected an end of what is waited for within {DEADLINE:g} s")
-        before = _own_time()
+        before = time.monotonic()
         _let_events_come(0)
         note_gap(before)
         time.sleep(0.01)
