@@ -11,6 +11,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <climits>
 #include <csignal>
 #include <iterator>
 #include <new>
@@ -18,10 +19,24 @@
 #include <string>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace
 {
 
 using namespace waft::command;
+
+// What a field gives back is kept for the next one: to have it from the system anew, page by page,
+// took an eighth of a flight's time.
+void KeepMemory()
+{
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
+}
 
 void Answer(const CommandLine& line, int status, const waft::SceneJson& answer)
 {
@@ -153,6 +168,7 @@ int Run(const std::vector<std::string>& arguments)
 
 int main(int count, char** words)
 {
+  KeepMemory();
   std::signal(SIGPIPE, SIG_IGN); // whoever stops to read what is said does not end the work
   std::signal(SIGXFSZ, SIG_IGN); // it is told of as a full disk is
   EndStopsBy("stopped before anything was begun", 0.0,

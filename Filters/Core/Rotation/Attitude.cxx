@@ -241,8 +241,10 @@ private:
       const Quat& now = this->State.Flight.Orientation;
       const Settling settling = landing ? landing->Draw(k, now) : Settling();
       const bool lands = landing && (settling.Weight > 0.0 || landing->IsNear(k));
-      if (this->HasFlown() && !this->IsLive && !lands && k < this->Plan.TurnsFrom)
+      const bool keeps = k >= this->Plan.TurnsUntil || (!this->IsLive && k < this->Plan.TurnsFrom);
+      if (this->HasFlown() && !lands && keeps)
       {
+        this->IsLive = false;
         this->TakeFlown(k + 1);
         continue;
       }

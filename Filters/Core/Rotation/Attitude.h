@@ -50,9 +50,11 @@ struct AttitudePlan
   double TurningTime = 2.0;  // s
   double TurningRate = 60.0; // rad/s, the most that an orientation row may ask for
   bool Glides = false;       // how it slips is wanted
-  int TurnsFrom =
-    std::numeric_limits<int>::max(); // a frame from which poses of the path are not kept
-  std::vector<int> Held;             // frames where rows hold the centre: it is not moved there
+  // Poses that the path came with are kept but for those after the first of these frames, up to the
+  // other.
+  int TurnsFrom = std::numeric_limits<int>::max();
+  int TurnsUntil = std::numeric_limits<int>::max();
+  std::vector<int> Held;  // frames where rows hold the centre: it is not moved there
   double Tolerance = 0.0; // m: a vertex deeper than this below a surface is named; also the most
                           // that the centre may be moved
 };

@@ -125,7 +125,8 @@ template <class Job, class Input, class Options>
 void MoveJob(StateArchive& stream, Job& job, Input& input, Options& options)
 {
   stream.Values(input.Scene, input.Objects, input.Tracks, input.Shapes, input.Constraints,
-                input.Glides, input.TurnsFrom, job.Obstacles, job.Draws, job.Air, job.Gradients);
+                input.Glides, input.TurnsFrom, input.TurnsUntil, job.Obstacles, job.Draws, job.Air,
+                job.Gradients);
   RotationOptions::Visit(stream, options);
 }
 
@@ -268,7 +269,8 @@ void BodyTurner::Set(std::size_t i, const Act& act) const
   AttitudePlan plan = MakePlan(input, this->Chosen, this->Places, object, track);
   plan.BoundingRadius = shape.Properties.BoundingRadius;
   plan.Glides = input.Glides;
-  plan.TurnsFrom = input.TurnsFrom.empty() ? plan.TurnsFrom : input.TurnsFrom[i];
+  plan.TurnsFrom = input.TurnsFrom;
+  plan.TurnsUntil = input.TurnsUntil;
   FlightPath path = MakePath(input, i, draw, glider.Pace);
   path.Ease = glider.Ease;
   if (draw > 0.0)
@@ -287,7 +289,8 @@ BodyTurn BodyTurner::Turn(std::size_t i) const
             {
               turn.Factors = glider.FactorsAt(draw);
               turn.Outcome = TurnObjectWithin(this->Limit, plan, body, path);
-              if (HasFlown(this->Given.Tracks[i]) && this->Given.TurnsFrom.empty() && draw > 0.0)
+              const bool turnsAnew = plan.TurnsFrom < static_cast<int>(plan.Path->Positions.size());
+              if (HasFlown(this->Given.Tracks[i]) && !turnsAnew && draw > 0.0)
               {
                 turn.Away = this->AwayFrom(i, plan, body, path, turn.Outcome.Poses);
               }

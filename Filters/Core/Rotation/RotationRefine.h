@@ -17,6 +17,7 @@
 #include "Rotation/PreparedShapes.h"
 #include "Rotation/TurningOptions.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -81,8 +82,9 @@ struct RotationInput
   /// Bodies are drawn by their weight alone, whatever their paths, and their Slips are given: where
   /// they glide is for who moves them. Tracks with Slips keep the poses that are theirs.
   bool Glides = false;
-  /// By track, the frame from which one with Slips turns anew all the same; empty: none does.
-  std::vector<int> TurnsFrom;
+  /// Frames after the first of which, up to the other, tracks with Slips turn anew all the same.
+  int TurnsFrom = std::numeric_limits<int>::max();
+  int TurnsUntil = std::numeric_limits<int>::max();
   PreparedShapes* Prepared = nullptr; // of an earlier run with these Shapes and options; or none
   /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
   Communicator* Ranks = nullptr;

@@ -26,15 +26,17 @@ const double Half = std::acos(-1.0); // rad, of a turn
 const double Degrees = 180.0 / Half;
 
 /// rad, from each frame to the next: as poses show it, but half a turn and more within a frame may
-/// look like less.
-std::vector<double> Turns(const AttitudeOutcome& outcome)
+/// look like less. None from a frame on, after which poses are given.
+std::vector<double> Turns(const AttitudeOutcome& outcome,
+                          int until = std::numeric_limits<int>::max())
 {
   const std::vector<Quat>& poses = outcome.Poses.Orientations;
   std::vector<double> turns;
   for (std::size_t k = 0; k + 1 < poses.size(); ++k)
   {
     const double shown = LogMap(poses[k + 1] * poses[k].conjugate()).norm();
-    turns.push_back(outcome.Swept[k] < Half ? shown : std::max(shown, outcome.Swept[k]));
+    const double turned = outcome.Swept[k] < Half ? shown : std::max(shown, outcome.Swept[k]);
+    turns.push_back(static_cast<int>(k) < until ? turned : 0.0);
   }
   return turns;
 }
@@ -135,7 +137,7 @@ AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const Fl
 {
   AttitudeOutcome best = TurnObject(plan, body, path);
   AttitudePlan own = plan;
-  std::vector<double> turns = Turns(best);
+  std::vector<double> turns = Turns(best, plan.TurnsUntil);
   double least = Excess(turns, most);
   path.FastestTurning.assign(path.RelativeVelocities.size(), Unlimited);
   path.QuickestChange = Quickness * most / (path.Step * path.Step);
@@ -145,7 +147,7 @@ AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const Fl
   for (int flight = 0; flight < MostFlights && least > 0.0 && vain < MostInVain; ++flight)
   {
     AttitudeOutcome next = TurnObject(own, body, path);
-    turns = Turns(next);
+    turns = Turns(next, plan.TurnsUntil);
     LimitFrom(next, turns, most, path);
     FlyFrom(plan, turns, most, own);
     SlowAbout(turns, most, path.Step, path.FastestTurning);

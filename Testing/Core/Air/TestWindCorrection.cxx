@@ -122,18 +122,13 @@ private:
       const WindSplines splines = Splines(scale);
       const WindSplines::Place place = splines.At(x);
       const WindSplines::Instant at = splines.At(frame);
-      const auto nodes = splines.Nodes();
       for (int c = 0; c < 3; ++c)
       {
-        std::vector<double> part(3 * nodes, 0.0);
-        WindSplines::AddCurl(place, splines.RowsOf(place), Vec3::Unit(c), part.data(), nodes);
-        for (std::size_t m = 0; m < 4; ++m)
+        std::vector<double> own(splines.Coefficients(), 0.0);
+        WindSplines::AddCurl(place, at, splines.RowsOf(place, at), Vec3::Unit(c), own.data());
+        for (std::size_t i = 0; i < own.size(); ++i)
         {
-          const std::size_t knot = 3 * nodes * (static_cast<std::size_t>(at.First) + m);
-          for (std::size_t i = 0; i < part.size(); ++i)
-          {
-            rows(c, begin + static_cast<Eigen::Index>(knot + i)) += at.Weight[m] * part[i];
-          }
+          rows(c, begin + static_cast<Eigen::Index>(i)) = own[i];
         }
       }
       begin += static_cast<Eigen::Index>(splines.Coefficients());
@@ -238,13 +233,12 @@ TEST(WindCorrection, HasTheVarianceOfItsScales)
 {
   Random random(3);
   const WindSplines splines(Volume, Time, 0.4, 0.5, 0.09);
-  const std::size_t nodes = splines.Nodes();
   double sum = 0.0;
   int count = 0;
   for (int draw = 0; draw < 10; ++draw)
   {
-    std::vector<double> knots(4 * 3 * nodes);
-    for (double& value : knots)
+    std::vector<double> values(splines.Coefficients());
+    for (double& value : values)
     {
       value = random.Normal();
     }
@@ -253,13 +247,7 @@ TEST(WindCorrection, HasTheVarianceOfItsScales)
       const WindSplines::Place place =
         splines.At(random.InBox({ Vec3(-1.0, -1.0, 1.0), Vec3(1.0, 1.0, 3.0) }));
       const WindSplines::Instant at = splines.At(random.Uniform(20.0, 70.0));
-      Vec3 wind = Vec3::Zero();
-      for (std::size_t m = 0; m < 4; ++m)
-      {
-        wind += at.Weight[m] * WindSplines::Curl(place, splines.RowsOf(place),
-                                                 knots.data() + m * 3 * nodes, nodes);
-      }
-      sum += wind.squaredNorm();
+      sum += WindSplines::Curl(place, at, splines.RowsOf(place, at), values.data()).squaredNorm();
       count += 3;
     }
   }

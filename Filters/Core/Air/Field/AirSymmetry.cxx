@@ -56,14 +56,14 @@ std::vector<AirSymmetry> AirSymmetries(const Box& volume)
   return all;
 }
 
-HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field)
+void SetImage(const AirSymmetry& symmetry, const HalfSeries& field, HalfSeries& image)
 {
-  HalfSeries image{ static_cast<const SeriesLattice&>(field) };
+  static_cast<SeriesLattice&>(image) = field;
   image.Values.resize(field.Values.size());
   const Mat3 m = symmetry.Matrix();
   const std::array<int, 3>& n = field.Dimensions;
   const Vec3 middle(0.5 * (n[0] - 1), 0.5 * (n[1] - 1), 0.5 * (n[2] - 1));
-  std::vector<std::size_t> sources;
+  std::vector<std::uint32_t> sources;
   for (int k = 0; k < n[2]; ++k)
   {
     for (int j = 0; j < n[1]; ++j)
@@ -71,7 +71,7 @@ HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field)
       for (int i = 0; i < n[0]; ++i)
       {
         const Vec3 from = middle + m.transpose() * (Vec3(i, j, k) - middle);
-        sources.push_back(static_cast<std::size_t>(
+        sources.push_back(static_cast<std::uint32_t>(
           (std::lround(from.z()) * n[1] + std::lround(from.y())) * n[0] + std::lround(from.x())));
       }
     }
@@ -86,17 +86,19 @@ HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field)
   }
   for (std::size_t f = 0; f < field.Values.size(); ++f)
   {
-    const std::vector<Half3>& values = field.Values[f];
-    image.Values[f].resize(values.size());
-    for (std::size_t at = 0; at < sources.size(); ++at)
+    const Half3* from = field.Values[f].data();
+    image.Values[f].resize(sources.size());
+    Half3* to = image.Values[f].data();
+    for (const std::uint32_t source : sources)
     {
+      const Half3& value = from[source];
       for (std::size_t c = 0; c < 3; ++c)
       {
-        image.Values[f][at][c] = static_cast<std::uint16_t>(values[sources[at]][of[c]] ^ sign[c]);
+        (*to)[c] = static_cast<std::uint16_t>(value[of[c]] ^ sign[c]);
       }
+      ++to;
     }
   }
-  return image;
 }
 
 Result TakeImage(const AirSymmetry& symmetry, const AirScene& scene, SmokeState& state)

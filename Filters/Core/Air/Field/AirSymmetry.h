@@ -24,8 +24,9 @@ struct AirSymmetry
 /// All eight, the identity first; four where the ground is not square.
 std::vector<AirSymmetry> AirSymmetries(const Box& volume);
 
-/// The image of a field whose lattice the symmetry maps onto itself, to the bit.
-HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field);
+/// The image of a field whose lattice the symmetry maps onto itself, to the bit; in the memory that
+/// `image` has.
+void SetImage(const AirSymmetry& symmetry, const HalfSeries& field, HalfSeries& image);
 /// A state of the scene's grid becomes its image; without solids.
 Result TakeImage(const AirSymmetry& symmetry, const AirScene& scene, SmokeState& state);
 /// The image of vortices and winds in closed form.

@@ -2,7 +2,9 @@
 #include "Air/Field/WindCorrection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace waft
@@ -17,6 +19,7 @@ constexpr double WithinSpacing = 1.15;  // spacings, at which a scale's structur
 constexpr std::size_t StructureAt = 16; // frames
 constexpr double LeastShare = 1e-3;     // of the variance, that a scale has
 constexpr double Converged = 1e-2;      // of what the gradient was
+constexpr std::size_t Parts = 8;        // of the frames, each for a thread
 
 /// Mean square of the differences of one component between points so far apart along an axis
 /// [m^2/s^2], between points of the lattice; over a third of three components: of zero distance the
@@ -158,14 +161,8 @@ Vec3 WindCorrection::At(const Vec3& x, double frame) const
     WindSplines::Place place = scale.At(x);
     place.Hold = this->HoldOf(l, near);
     const WindSplines::Instant at = scale.At(frame);
-    const WindSplines::Rows rows = scale.RowsOf(place);
-    const std::size_t nodes = scale.Nodes();
-    for (std::size_t m = 0; m < 4; ++m)
-    {
-      const double* knot = this->Coefficients.data() + this->Begins[l] +
-                           3 * nodes * (static_cast<std::size_t>(at.First) + m);
-      wind += at.Weight[m] * WindSplines::Curl(place, rows, knot, nodes);
-    }
+    wind += WindSplines::Curl(place, at, scale.RowsOf(place, at),
+                              this->Coefficients.data() + this->Begins[l]);
   }
   return wind;
 }
@@ -215,154 +212,208 @@ bool WindCorrection::AddTo(const HalfSeries& air, HalfSeries& sum, const Paralle
   return part.Tick(-1.0, "");
 }
 
-// The nodes that samples of a frame touch, in order: a row's four stay side by side.
-struct WindCorrection::Cell
+// The coefficients that samples touch, knot by knot of each scale: a row's four stay side by side,
+// and the others are 0 in the most probable wind.
+class WindCorrection::Touched
 {
-  WindSplines::Instant At;
-  std::vector<std::size_t> Nodes;
-  std::vector<WindSplines::Rows> Rows; // among those nodes
-  std::vector<WindHold> Holds;
-  std::vector<double> Part; // [x, y, z][node], of a product with the transposed
+public:
+  struct Knot
+  {
+    std::size_t All = 0;   // where its own begin among all coefficients
+    std::size_t Begin = 0; // and among those that are touched
+    std::vector<std::uint32_t> Nodes;
+    std::vector<std::uint32_t> PlaceOf; // by node
+  };
+
+  Touched(const WindCorrection& wind, const std::vector<WindSamples>& samples)
+  {
+    for (std::size_t l = 0; l < wind.Scales.size(); ++l)
+    {
+      const WindSplines& scale = wind.Scales[l];
+      std::vector<Knot> knots(scale.Knots());
+      for (Knot& knot : knots)
+      {
+        knot.PlaceOf.assign(scale.Nodes(), 0);
+      }
+      for (const WindSamples& at : samples)
+      {
+        const auto first = static_cast<std::size_t>(scale.At(at.Frame).First);
+        for (const Vec3& x : at.Positions)
+        {
+          for (const std::size_t row : scale.NodesOf(scale.At(x)))
+          {
+            for (std::size_t m = 0; m < 4; ++m)
+            {
+              std::fill_n(knots[first + m].PlaceOf.begin() + static_cast<std::ptrdiff_t>(row), 4,
+                          1);
+            }
+          }
+        }
+      }
+      for (std::size_t k = 0; k < knots.size(); ++k)
+      {
+        Knot& knot = knots[k];
+        knot.All = wind.Begins[l] + 3 * scale.Nodes() * k;
+        knot.Begin = this->Size;
+        for (std::size_t i = 0; i < knot.PlaceOf.size(); ++i)
+        {
+          if (knot.PlaceOf[i] != 0)
+          {
+            knot.PlaceOf[i] = static_cast<std::uint32_t>(knot.Nodes.size());
+            knot.Nodes.push_back(static_cast<std::uint32_t>(i));
+          }
+        }
+        this->Size += 3 * knot.Nodes.size();
+      }
+      this->Knots.push_back(std::move(knots));
+    }
+  }
+
+  WindSplines::Rows RowsOf(std::size_t scale, const std::array<std::size_t, 16>& nodes,
+                           int first) const
+  {
+    WindSplines::Rows rows;
+    for (std::size_t m = 0; m < 4; ++m)
+    {
+      const Knot& knot = this->Knots[scale][static_cast<std::size_t>(first) + m];
+      rows.Next[m] = knot.Nodes.size();
+      for (std::size_t i = 0; i < 16; ++i)
+      {
+        rows.First[m][i] = knot.Begin + knot.PlaceOf[nodes[i]];
+      }
+    }
+    return rows;
+  }
+
+  // act(of all, touched): of each coefficient.
+  template <class Act>
+  void Each(const WindCorrection& wind, const Act& act) const
+  {
+    for (std::size_t l = 0; l < this->Knots.size(); ++l)
+    {
+      for (const Knot& knot : this->Knots[l])
+      {
+        std::size_t at = knot.Begin;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          for (const std::uint32_t node : knot.Nodes)
+          {
+            act(knot.All + c * wind.Scales[l].Nodes() + node, at++);
+          }
+        }
+      }
+    }
+  }
+
+  std::vector<std::vector<Knot>> Knots; // by scale
+  std::size_t Size = 0;
 };
 
 bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, int iterations,
                          const ParallelFor& parallel, Monitor& monitor)
 {
-  const std::size_t frames = samples.size();
   const std::size_t levels = this->Scales.size();
-  std::vector<Cell> cells(frames * levels);
-  parallel(frames,
+  const Touched touched(*this, samples);
+  std::vector<std::vector<Nearness>> near(this->Distance ? samples.size() : 0);
+  parallel(near.size(),
            [&](std::size_t begin, std::size_t end)
            {
              for (std::size_t f = begin; f < end; ++f)
              {
-               for (std::size_t l = 0; l < levels; ++l)
+               for (const Vec3& x : samples[f].Positions)
                {
-                 const WindSplines& scale = this->Scales[l];
-                 Cell& cell = cells[f * levels + l];
-                 cell.At = scale.At(samples[f].Frame);
-                 std::vector<int> places(scale.Nodes(), -1);
-                 for (const Vec3& x : samples[f].Positions)
-                 {
-                   cell.Rows.push_back(scale.RowsOf(scale.At(x)));
-                   for (const int row : cell.Rows.back())
-                   {
-                     std::fill_n(places.begin() + row, 4, 0);
-                   }
-                   cell.Holds.push_back(this->HoldOf(l, this->NearnessAt(x, samples[f].Frame)));
-                 }
-                 for (std::size_t i = 0; i < places.size(); ++i)
-                 {
-                   if (places[i] == 0)
-                   {
-                     places[i] = static_cast<int>(cell.Nodes.size());
-                     cell.Nodes.push_back(i);
-                   }
-                 }
-                 for (WindSplines::Rows& rows : cell.Rows)
-                 {
-                   for (int& row : rows)
-                   {
-                     row = places[static_cast<std::size_t>(row)];
-                   }
-                 }
-                 cell.Part.resize(3 * cell.Nodes.size());
+                 near[f].push_back(this->NearnessAt(x, samples[f].Frame));
                }
              }
            });
-  struct Knot
+  // Some frames, and what they add to the knots that they touch, which lie one after the other.
+  struct Part
   {
-    std::size_t Level, Index;
+    std::size_t First = 0, Last = 0; // of samples
+    std::vector<std::size_t> Begin, End;
+    std::vector<double> Sums;
   };
-  std::vector<Knot> knots;
-  for (std::size_t l = 0; l < levels; ++l)
+  std::vector<Part> parts(std::min(Parts, samples.size()));
+  for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    for (std::size_t k = 0; k < this->Scales[l].Knots(); ++k)
+    Part& part = parts[p];
+    part.First = p * samples.size() / parts.size();
+    part.Last = (p + 1) * samples.size() / parts.size() - 1;
+    part.Sums.resize(touched.Size);
+    for (std::size_t l = 0; l < levels; ++l)
     {
-      knots.push_back({ l, k });
+      const WindSplines& scale = this->Scales[l];
+      const auto first = static_cast<std::size_t>(scale.At(samples[part.First].Frame).First);
+      const auto last = static_cast<std::size_t>(scale.At(samples[part.Last].Frame).First) + 3;
+      const Touched::Knot& end = touched.Knots[l][last];
+      part.Begin.push_back(touched.Knots[l][first].Begin);
+      part.End.push_back(end.Begin + 3 * end.Nodes.size());
     }
   }
   const double weight = 1.0 / (error * error);
+  const auto addFrame =
+    [&](std::size_t f, const std::vector<double>& a, bool lessValues, std::vector<double>& sums)
+  {
+    const WindSamples& at = samples[f];
+    std::vector<WindSplines::Instant> instants;
+    for (const WindSplines& scale : this->Scales)
+    {
+      instants.push_back(scale.At(at.Frame));
+    }
+    std::vector<WindSplines::Place> places(levels);
+    std::vector<WindSplines::Rows> rows(levels);
+    for (std::size_t s = 0; s < at.Positions.size(); ++s)
+    {
+      Vec3 wind = lessValues ? Vec3(-at.Values[s]) : Vec3::Zero();
+      for (std::size_t l = 0; l < levels; ++l)
+      {
+        places[l] = this->Scales[l].At(at.Positions[s]);
+        places[l].Hold = this->Distance ? this->HoldOf(l, near[f][s]) : WindHold();
+        rows[l] = touched.RowsOf(l, this->Scales[l].NodesOf(places[l]), instants[l].First);
+        wind += WindSplines::Curl(places[l], instants[l], rows[l], a.data());
+      }
+      for (std::size_t l = 0; l < levels; ++l)
+      {
+        WindSplines::AddCurl(places[l], instants[l], rows[l], weight * wind, sums.data());
+      }
+    }
+  };
   // result = M^T weight (M a - values) + a
   const auto apply = [&](const std::vector<double>& a, bool lessValues, std::vector<double>& result)
   {
-    parallel(frames,
+    parallel(parts.size(),
              [&](std::size_t begin, std::size_t end)
              {
-               std::vector<Vec3> winds;
-               std::vector<double> nodes;
-               std::vector<std::vector<WindSplines::Place>> places(levels);
-               for (std::size_t f = begin; f < end; ++f)
+               for (std::size_t p = begin; p < end; ++p)
                {
-                 const WindSamples& at = samples[f];
-                 winds.assign(at.Positions.size(), Vec3::Zero());
+                 Part& part = parts[p];
                  for (std::size_t l = 0; l < levels; ++l)
                  {
-                   const Cell& cell = cells[f * levels + l];
-                   const std::size_t count = cell.Nodes.size();
-                   const std::size_t all = this->Scales[l].Nodes();
-                   const double* knot =
-                     a.data() + this->Begins[l] + 3 * all * static_cast<std::size_t>(cell.At.First);
-                   nodes.assign(3 * count, 0.0);
-                   for (std::size_t m = 0; m < 4; ++m)
-                   {
-                     for (std::size_t c = 0; c < 3; ++c)
-                     {
-                       const double* of = knot + (3 * m + c) * all;
-                       for (std::size_t i = 0; i < count; ++i)
-                       {
-                         nodes[c * count + i] += cell.At.Weight[m] * of[cell.Nodes[i]];
-                       }
-                     }
-                   }
-                   places[l].clear();
-                   for (std::size_t s = 0; s < winds.size(); ++s)
-                   {
-                     places[l].push_back(this->Scales[l].At(at.Positions[s]));
-                     places[l].back().Hold = cell.Holds[s];
-                     winds[s] += WindSplines::Curl(places[l][s], cell.Rows[s], nodes.data(), count);
-                   }
+                   std::fill(part.Sums.begin() + static_cast<std::ptrdiff_t>(part.Begin[l]),
+                             part.Sums.begin() + static_cast<std::ptrdiff_t>(part.End[l]), 0.0);
                  }
-                 for (std::size_t l = 0; l < levels; ++l)
+                 for (std::size_t f = part.First; f <= part.Last; ++f)
                  {
-                   Cell& cell = cells[f * levels + l];
-                   std::fill(cell.Part.begin(), cell.Part.end(), 0.0);
-                   for (std::size_t s = 0; s < winds.size(); ++s)
-                   {
-                     const Vec3 off = lessValues ? Vec3(winds[s] - at.Values[s]) : winds[s];
-                     WindSplines::AddCurl(places[l][s], cell.Rows[s], weight * off,
-                                          cell.Part.data(), cell.Nodes.size());
-                   }
+                   addFrame(f, a, lessValues, part.Sums);
                  }
                }
              });
     result = a;
-    parallel(knots.size(),
-             [&](std::size_t begin, std::size_t end)
-             {
-               for (std::size_t k = begin; k < end; ++k)
-               {
-                 const std::size_t l = knots[k].Level;
-                 const std::size_t all = this->Scales[l].Nodes();
-                 double* sum = result.data() + this->Begins[l] + 3 * all * knots[k].Index;
-                 for (std::size_t f = 0; f < frames; ++f)
-                 {
-                   const Cell& cell = cells[f * levels + l];
-                   const std::size_t m = knots[k].Index - static_cast<std::size_t>(cell.At.First);
-                   for (std::size_t c = 0; c < 3 && m < 4; ++c)
-                   {
-                     const double* part = cell.Part.data() + c * cell.Nodes.size();
-                     for (std::size_t i = 0; i < cell.Nodes.size(); ++i)
-                     {
-                       sum[c * all + cell.Nodes[i]] += cell.At.Weight[m] * part[i];
-                     }
-                   }
-                 }
-               }
-             });
+    for (const Part& part : parts)
+    {
+      for (std::size_t l = 0; l < levels; ++l)
+      {
+        for (std::size_t i = part.Begin[l]; i < part.End[l]; ++i)
+        {
+          result[i] += part.Sums[i];
+        }
+      }
+    }
   };
-  std::vector<double> residual, direction, product;
-  apply(this->Coefficients, true, residual);
+  std::vector<double> found(touched.Size), residual, direction, product;
+  touched.Each(*this,
+               [&](std::size_t all, std::size_t at) { found[at] = this->Coefficients[all]; });
+  apply(found, true, residual);
   for (double& r : residual)
   {
     r = -r;
@@ -370,17 +421,14 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
   direction = residual;
   double size = Dot(residual, residual);
   const double enough = Converged * Converged * size;
-  for (int iteration = 0; iteration < iterations && size > enough; ++iteration)
+  bool goesOn = true;
+  for (int iteration = 0; iteration < iterations && size > enough && goesOn; ++iteration)
   {
-    if (!monitor.Tick(static_cast<double>(iteration) / iterations, ""))
-    {
-      return false;
-    }
     apply(direction, false, product);
     const double step = size / Dot(direction, product);
     for (std::size_t i = 0; i < residual.size(); ++i)
     {
-      this->Coefficients[i] += step * direction[i];
+      found[i] += step * direction[i];
       residual[i] -= step * product[i];
     }
     const double before = size;
@@ -389,8 +437,12 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     {
       direction[i] = residual[i] + size / before * direction[i];
     }
+    goesOn = monitor.Tick(static_cast<double>(iteration + 1) / iterations, "");
   }
-  return true;
+  std::fill(this->Coefficients.begin(), this->Coefficients.end(), 0.0);
+  touched.Each(*this,
+               [&](std::size_t all, std::size_t at) { this->Coefficients[all] = found[at]; });
+  return goesOn;
 }
 
 } // namespace waft

@@ -60,7 +60,7 @@ public:
              Monitor& monitor) const;
 
 private:
-  struct Cell; // the samples of a frame, as a scale sees them
+  class Touched;
 
   struct Nearness // of solids
   {

@@ -33,28 +33,55 @@ void CubicWeights(double t, double* w, double* slope)
   }
 }
 
-// The splines that are not zero at each of the points along an axis.
+// Splines that are not zero at each of the points along an axis: plain, held back, their slope.
+enum Part
+{
+  Plain,
+  Held,
+  Slope
+};
 struct Weights
 {
   std::vector<int> First;
-  std::vector<std::array<float, 4>> Of;
+  std::vector<std::array<float, 4>> Of[3]; // by part
 };
 
 // values [outer][from][inner] summed along the middle axis, with the weights of points there.
 WAFT_SIMD_CLONES void Contract(const float* values, std::size_t outer, std::size_t from,
-                               std::size_t inner, const Weights& weights, float* sums)
+                               std::size_t inner, const Weights& weights, Part part, float* sums)
 {
   for (std::size_t o = 0; o < outer; ++o)
   {
     for (std::size_t p = 0; p < weights.First.size(); ++p)
     {
-      const float w[4] = { weights.Of[p][0], weights.Of[p][1], weights.Of[p][2], weights.Of[p][3] };
+      const float* w = weights.Of[part][p].data();
+      const float w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3];
       const float* v = values + (o * from + static_cast<std::size_t>(weights.First[p])) * inner;
       for (std::size_t i = 0; i < inner; ++i)
       {
-        *sums++ =
-          w[0] * v[i] + w[1] * v[i + inner] + w[2] * v[i + 2 * inner] + w[3] * v[i + 3 * inner];
+        *sums++ = w0 * v[i] + w1 * v[i + inner] + w2 * v[i + 2 * inner] + w3 * v[i + 3 * inner];
       }
+    }
+  }
+}
+
+// Of four planes of values each, the sum with weights; less that of others.
+WAFT_SIMD_CLONES void Combine(const float* values, const float* w, const float* others,
+                              const float* o, std::size_t plane, float* sums)
+{
+  const float w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3];
+  for (std::size_t i = 0; i < plane; ++i)
+  {
+    sums[i] = w0 * values[i] + w1 * values[i + plane] + w2 * values[i + 2 * plane] +
+              w3 * values[i + 3 * plane];
+  }
+  if (others)
+  {
+    const float o0 = o[0], o1 = o[1], o2 = o[2], o3 = o[3];
+    for (std::size_t i = 0; i < plane; ++i)
+    {
+      sums[i] -= o0 * others[i] + o1 * others[i + plane] + o2 * others[i + 2 * plane] +
+                 o3 * others[i + 3 * plane];
     }
   }
 }
@@ -146,17 +173,34 @@ WindSplines::Instant WindSplines::At(double frame) const
   return at;
 }
 
-WindSplines::Rows WindSplines::RowsOf(const Place& place) const
+std::array<std::size_t, 16> WindSplines::NodesOf(const Place& place) const
 {
-  Rows rows;
+  std::array<std::size_t, 16> nodes;
   for (int k = 0; k < 4; ++k)
   {
     for (int j = 0; j < 4; ++j)
     {
       const int y = place.Along[1].First + j;
       const int z = place.Along[2].First + k;
-      rows[static_cast<std::size_t>(4 * k + j)] =
-        (z * this->Count[1] + y) * this->Count[0] + place.Along[0].First;
+      nodes[static_cast<std::size_t>(4 * k + j)] =
+        static_cast<std::size_t>((z * this->Count[1] + y) * this->Count[0] + place.Along[0].First);
+    }
+  }
+  return nodes;
+}
+
+WindSplines::Rows WindSplines::RowsOf(const Place& place, const Instant& at) const
+{
+  Rows rows;
+  const std::array<std::size_t, 16> nodes = this->NodesOf(place);
+  const std::size_t all = this->Nodes();
+  for (std::size_t m = 0; m < 4; ++m)
+  {
+    const std::size_t begin = 3 * all * (static_cast<std::size_t>(at.First) + m);
+    rows.Next[m] = all;
+    for (std::size_t i = 0; i < 16; ++i)
+    {
+      rows.First[m][i] = begin + nodes[i];
     }
   }
   return rows;
@@ -185,33 +229,42 @@ WAFT_INLINE double SumOf(const Double4& v)
 
 // The parts along x of what is needed, summed over the rows; the products of those with the splines
 // along x come last.
-WAFT_SIMD_CLONES void SumRows(const WindSplines::Axis& x, const WindSplines::Axis& y,
-                              const WindSplines::Axis& z, const int* rows, const double* values,
-                              std::size_t nodes, double* curl, double* potential)
+WAFT_SIMD_CLONES void SumRows(const WindSplines::Place& place, const WindSplines::Instant& at,
+                              const WindSplines::Rows& rows, const double* values, double* curl,
+                              double* potential)
 {
+  const WindSplines::Axis& y = place.Along[1];
+  const WindSplines::Axis& z = place.Along[2];
   Double4 x01{}, x02{}, xHeld{}, y0{}, yHeld{}, z0{}, zHeld{};
   for (int k = 0; k < 4; ++k)
   {
     for (int j = 0; j < 4; ++j)
     {
-      const double* row = values + rows[4 * k + j];
-      Double4 a0, a1, a2;
-      Load(row, a0);
-      Load(row + nodes, a1);
-      Load(row + 2 * nodes, a2);
-      x01 += a0 * (y.Held[j] * z.Slope[k]);
-      x02 += a0 * (y.Slope[j] * z.Held[k]);
-      xHeld += a0 * (y.Held[j] * z.Held[k]);
-      y0 += a1 * (y.Plain[j] * z.Slope[k]);
-      yHeld += a1 * (y.Plain[j] * z.Held[k]);
-      z0 += a2 * (y.Slope[j] * z.Plain[k]);
-      zHeld += a2 * (y.Held[j] * z.Plain[k]);
+      Double4 a[3] = {};
+      for (std::size_t m = 0; m < 4; ++m)
+      {
+        const double* row = values + rows.First[m][static_cast<std::size_t>(4 * k + j)];
+        for (Double4& sum : a)
+        {
+          Double4 v;
+          Load(row, v);
+          sum += at.Weight[m] * v;
+          row += rows.Next[m];
+        }
+      }
+      x01 += a[0] * (y.Held[j] * z.Slope[k]);
+      x02 += a[0] * (y.Slope[j] * z.Held[k]);
+      xHeld += a[0] * (y.Held[j] * z.Held[k]);
+      y0 += a[1] * (y.Plain[j] * z.Slope[k]);
+      yHeld += a[1] * (y.Plain[j] * z.Held[k]);
+      z0 += a[2] * (y.Slope[j] * z.Plain[k]);
+      zHeld += a[2] * (y.Held[j] * z.Plain[k]);
     }
   }
   Double4 plain, held, slope;
-  Load(x.Plain, plain);
-  Load(x.Held, held);
-  Load(x.Slope, slope);
+  Load(place.Along[0].Plain, plain);
+  Load(place.Along[0].Held, held);
+  Load(place.Along[0].Slope, slope);
   curl[0] = SumOf(z0 * held - y0 * held);
   curl[1] = SumOf(x01 * plain - zHeld * slope);
   curl[2] = SumOf(yHeld * slope - x02 * plain);
@@ -220,139 +273,147 @@ WAFT_SIMD_CLONES void SumRows(const WindSplines::Axis& x, const WindSplines::Axi
   potential[2] = SumOf(zHeld * held);
 }
 
-WAFT_SIMD_CLONES void AddRows(const WindSplines::Axis& x, const WindSplines::Axis& y,
-                              const WindSplines::Axis& z, const int* rows, const double* v,
-                              const double* p, double* values, std::size_t nodes)
+WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines::Instant& at,
+                              const WindSplines::Rows& rows, const double* v, const double* p,
+                              double* values)
 {
+  const WindSplines::Axis& y = place.Along[1];
+  const WindSplines::Axis& z = place.Along[2];
   Double4 plain, held, slope;
-  Load(x.Plain, plain);
-  Load(x.Held, held);
-  Load(x.Slope, slope);
+  Load(place.Along[0].Plain, plain);
+  Load(place.Along[0].Held, held);
+  Load(place.Along[0].Slope, slope);
   for (int k = 0; k < 4; ++k)
   {
     for (int j = 0; j < 4; ++j)
     {
-      double* row = values + rows[4 * k + j];
-      Add(plain * (v[1] * (y.Held[j] * z.Slope[k]) - v[2] * (y.Slope[j] * z.Held[k]) +
-                   p[0] * (y.Held[j] * z.Held[k])),
-          row);
-      Add(held * (p[1] * (y.Plain[j] * z.Held[k]) - v[0] * (y.Plain[j] * z.Slope[k])) +
-            slope * (v[2] * (y.Plain[j] * z.Held[k])),
-          row + nodes);
-      Add(held * (v[0] * (y.Slope[j] * z.Plain[k]) + p[2] * (y.Held[j] * z.Plain[k])) -
-            slope * (v[1] * (y.Held[j] * z.Plain[k])),
-          row + 2 * nodes);
+      const Double4 products[3] = {
+        plain * (v[1] * (y.Held[j] * z.Slope[k]) - v[2] * (y.Slope[j] * z.Held[k]) +
+                 p[0] * (y.Held[j] * z.Held[k])),
+        held * (p[1] * (y.Plain[j] * z.Held[k]) - v[0] * (y.Plain[j] * z.Slope[k])) +
+          slope * (v[2] * (y.Plain[j] * z.Held[k])),
+        held * (v[0] * (y.Slope[j] * z.Plain[k]) + p[2] * (y.Held[j] * z.Plain[k])) -
+          slope * (v[1] * (y.Held[j] * z.Plain[k]))
+      };
+      for (std::size_t m = 0; m < 4; ++m)
+      {
+        double* row = values + rows.First[m][static_cast<std::size_t>(4 * k + j)];
+        for (const Double4& product : products)
+        {
+          Add(at.Weight[m] * product, row);
+          row += rows.Next[m];
+        }
+      }
     }
   }
 }
 
 } // namespace
 
-Vec3 WindSplines::Curl(const Place& place, const Rows& rows, const double* values,
-                       std::size_t nodes)
+Vec3 WindSplines::Curl(const Place& place, const Instant& at, const Rows& rows,
+                       const double* values)
 {
   Vec3 curl, potential;
-  SumRows(place.Along[0], place.Along[1], place.Along[2], rows.data(), values, nodes, curl.data(),
-          potential.data());
+  SumRows(place, at, rows, values, curl.data(), potential.data());
   return place.Hold.Factor * curl + place.Hold.Slope.cross(potential);
 }
 
-void WindSplines::AddCurl(const Place& place, const Rows& rows, const Vec3& value, double* values,
-                          std::size_t nodes)
+void WindSplines::AddCurl(const Place& place, const Instant& at, const Rows& rows,
+                          const Vec3& value, double* values)
 {
   const Vec3 v = place.Hold.Factor * value;
   const Vec3 p = value.cross(place.Hold.Slope);
-  AddRows(place.Along[0], place.Along[1], place.Along[2], rows.data(), v.data(), p.data(), values,
-          nodes);
+  AddRows(place, at, rows, v.data(), p.data(), values);
 }
 
 void WindSplines::AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,
                         const std::vector<WindHold>& holds, HalfSeries::Field& field) const
 {
-  enum Part
-  {
-    Plain,
-    Held,
-    Slope
-  };
-  Weights along[3][3]; // axis, part
+  Weights along[3];
   std::array<std::size_t, 3> points{}, nodes{};
   for (int c = 0; c < 3; ++c)
   {
-    points[static_cast<std::size_t>(c)] =
-      static_cast<std::size_t>(lattice.Dimensions[static_cast<std::size_t>(c)]);
-    nodes[static_cast<std::size_t>(c)] =
-      static_cast<std::size_t>(this->Count[static_cast<std::size_t>(c)]);
-    for (int i = 0; i < lattice.Dimensions[static_cast<std::size_t>(c)]; ++i)
+    const auto axis = static_cast<std::size_t>(c);
+    points[axis] = static_cast<std::size_t>(lattice.Dimensions[axis]);
+    nodes[axis] = static_cast<std::size_t>(this->Count[axis]);
+    for (int i = 0; i < lattice.Dimensions[axis]; ++i)
     {
       const Axis s = this->AxisAt(c, lattice.Origin[c] + i * lattice.Spacing[c]);
+      along[c].First.push_back(s.First);
       const double* parts[3] = { s.Plain, s.Held, s.Slope };
-      for (int p = 0; p < 3; ++p)
+      for (const Part part : { Plain, Held, Slope })
       {
-        along[c][p].First.push_back(s.First);
         std::array<float, 4> weights{};
-        std::copy_n(parts[p], 4, weights.begin());
-        along[c][p].Of.push_back(weights);
+        std::copy_n(parts[part], 4, weights.begin());
+        along[c].Of[part].push_back(weights);
       }
     }
   }
-  // Of W or of A: its component, that of A, sign, and which part of the splines along x, y, z.
-  struct Term
-  {
-    std::size_t Of, Potential;
-    float Sign;
-    Part Parts[3];
-  };
-  static constexpr Term Curls[] = {
-    { 0, 2, 1.0f, { Held, Slope, Plain } }, { 0, 1, -1.0f, { Held, Plain, Slope } },
-    { 1, 0, 1.0f, { Plain, Held, Slope } }, { 1, 2, -1.0f, { Slope, Held, Plain } },
-    { 2, 1, 1.0f, { Slope, Plain, Held } }, { 2, 0, -1.0f, { Plain, Slope, Held } }
-  };
-  static constexpr Term Potentials[] = { { 0, 0, 1.0f, { Plain, Held, Held } },
-                                         { 1, 1, 1.0f, { Held, Plain, Held } },
-                                         { 2, 2, 1.0f, { Held, Held, Plain } } };
   const Instant at = this->At(frame);
   const std::size_t size = this->Nodes();
-  std::vector<float> values(size), alongX(points[0] * nodes[1] * nodes[2]),
-    alongY(points[0] * points[1] * nodes[2]), sums(points[0] * points[1] * points[2]);
-  const auto contract = [&](const Term& term)
+  std::vector<float> values(size), alongX(points[0] * nodes[1] * nodes[2]);
+  // A component of A, summed along x and y.
+  const auto inPlanes = [&](std::size_t potential, Part x, Part y)
   {
-    const double* knot =
-      coefficients + size * (3 * static_cast<std::size_t>(at.First) + term.Potential);
+    const double* knot = coefficients + size * (3 * static_cast<std::size_t>(at.First) + potential);
     for (std::size_t i = 0; i < size; ++i)
     {
-      double sum = 0.0;
-      for (std::size_t m = 0; m < 4; ++m)
-      {
-        sum += at.Weight[m] * knot[3 * m * size + i];
-      }
-      values[i] = static_cast<float>(sum);
+      values[i] =
+        static_cast<float>(at.Weight[0] * knot[i] + at.Weight[1] * knot[3 * size + i] +
+                           at.Weight[2] * knot[6 * size + i] + at.Weight[3] * knot[9 * size + i]);
     }
-    // The long inner loops last.
-    Contract(values.data(), nodes[1] * nodes[2], nodes[0], 1, along[0][term.Parts[0]],
-             alongX.data());
-    Contract(alongX.data(), nodes[2], nodes[1], points[0], along[1][term.Parts[1]], alongY.data());
-    Contract(alongY.data(), 1, nodes[2], points[0] * points[1], along[2][term.Parts[2]],
-             sums.data());
+    Contract(values.data(), nodes[1] * nodes[2], nodes[0], 1, along[0], x, alongX.data());
+    std::vector<float> planes(points[0] * points[1] * nodes[2]);
+    Contract(alongX.data(), nodes[2], nodes[1], points[0], along[1], y, planes.data());
+    return planes;
   };
-  for (const Term& term : Curls)
+  const std::vector<float> ofX = inPlanes(0, Plain, Held), ofXByY = inPlanes(0, Plain, Slope),
+                           ofY = inPlanes(1, Held, Plain), ofYByX = inPlanes(1, Slope, Plain),
+                           ofZByX = inPlanes(2, Slope, Held), ofZByY = inPlanes(2, Held, Slope);
+  const std::vector<float> ofZ = holds.empty() ? std::vector<float>() : inPlanes(2, Held, Held);
+  const std::size_t plane = points[0] * points[1];
+  std::vector<float> sums[6];
+  for (std::vector<float>& of : sums)
   {
-    contract(term);
-    for (std::size_t i = 0; i < sums.size(); ++i)
-    {
-      const float factor = holds.empty() ? 1.0f : static_cast<float>(holds[i].Factor);
-      field[i][term.Of] += term.Sign * factor * sums[i];
-    }
+    of.resize(plane);
   }
-  for (std::size_t c = 0; c < 3 && !holds.empty(); ++c)
+  for (std::size_t z = 0; z < points[2]; ++z)
   {
-    contract(Potentials[c]);
-    for (std::size_t i = 0; i < sums.size(); ++i)
+    const std::size_t first = static_cast<std::size_t>(along[2].First[z]) * plane;
+    const float* w[3] = { along[2].Of[Plain][z].data(), along[2].Of[Held][z].data(),
+                          along[2].Of[Slope][z].data() };
+    const auto combine = [&](const std::vector<float>& of, Part part,
+                             const std::vector<float>* less, Part other, std::vector<float>& sum)
     {
-      const Vec3 more = holds[i].Slope.cross(sums[i] * Vec3::Unit(static_cast<int>(c)));
-      for (std::size_t d = 0; d < 3; ++d)
+      Combine(of.data() + first, w[part], less ? less->data() + first : nullptr, w[other], plane,
+              sum.data());
+    };
+    combine(ofZByY, Plain, &ofY, Slope, sums[0]);
+    combine(ofX, Slope, &ofZByX, Plain, sums[1]);
+    combine(ofYByX, Held, &ofXByY, Held, sums[2]);
+    std::array<float, 3>* out = field.data() + z * plane;
+    if (holds.empty())
+    {
+      for (std::size_t i = 0; i < plane; ++i)
       {
-        field[i][d] += static_cast<float>(more[static_cast<int>(d)]);
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          out[i][c] += sums[c][i];
+        }
+      }
+      continue;
+    }
+    combine(ofX, Held, nullptr, Held, sums[3]);
+    combine(ofY, Held, nullptr, Held, sums[4]);
+    combine(ofZ, Plain, nullptr, Plain, sums[5]);
+    for (std::size_t i = 0; i < plane; ++i)
+    {
+      const WindHold& hold = holds[z * plane + i];
+      const Vec3 more = hold.Factor * Vec3(sums[0][i], sums[1][i], sums[2][i]) +
+                        hold.Slope.cross(Vec3(sums[3][i], sums[4][i], sums[5][i]));
+      for (int c = 0; c < 3; ++c)
+      {
+        out[i][static_cast<std::size_t>(c)] += static_cast<float>(more[c]);
       }
     }
   }

@@ -46,8 +46,14 @@ public:
     int First = 0;
     double Weight[4];
   };
-  /// Where the four nodes along x begin that are the j-th along y and the k-th along z: [4 k + j].
-  using Rows = std::array<int, 16>;
+  /// Where coefficients lie in a list: of each of the four knots of an instant the first of the
+  /// four nodes along x that are the j-th along y and the k-th along z ([4 k + j]), those of x; and
+  /// how far it is from there to those of y, and on to those of z.
+  struct Rows
+  {
+    std::array<std::array<std::size_t, 16>, 4> First;
+    std::array<std::size_t, 4> Next;
+  };
 
   /// spacing: of the splines, and how far from a wall they are held back [m]; timeSpacing: s.
   WindSplines(const Box& volume, const Timeline& time, double spacing, double timeSpacing,
@@ -60,12 +66,14 @@ public:
 
   Place At(const Vec3& x) const;
   Instant At(double frame) const;
-  Rows RowsOf(const Place& place) const;
-  /// Of coefficients at an instant, [x, y, z][node], of which each row's four lie side by side.
-  static Vec3 Curl(const Place& place, const Rows& rows, const double* values, std::size_t nodes);
+  /// The j-th along y and the k-th along z: [4 k + j].
+  std::array<std::size_t, 16> NodesOf(const Place& place) const;
+  /// In the list of all coefficients.
+  Rows RowsOf(const Place& place, const Instant& at) const;
+  static Vec3 Curl(const Place& place, const Instant& at, const Rows& rows, const double* values);
   /// To these, what the product of a value and the curl is of each.
-  static void AddCurl(const Place& place, const Rows& rows, const Vec3& value, double* values,
-                      std::size_t nodes);
+  static void AddCurl(const Place& place, const Instant& at, const Rows& rows, const Vec3& value,
+                      double* values);
 
   /// The wind at the points of a lattice at a frame, added to a field. holds: by point, or empty.
   void AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,

@@ -106,7 +106,7 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
   while (!result.IsStopped() && GoesOn(run, state, output))
   {
     HalfSeries plain = state.Sampled.Velocity;
-    result = AddWind(run, state, output);
+    result = AddWind(run, true, state, output);
     WAFT_RETURN_IF_FAILED(result);
     if (!result.IsStopped())
     {
@@ -121,7 +121,7 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
   }
   if (!result.IsStopped() && (state.Rounds > 0 || run.Options.Rounds == 0))
   {
-    result = AddWind(run, state, output);
+    result = AddWind(run, false, state, output);
     WAFT_RETURN_IF_FAILED(result);
   }
   if (!result.IsStopped() && state.Bodies.Poses.empty()) // the first air took everybody

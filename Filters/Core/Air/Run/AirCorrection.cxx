@@ -27,9 +27,8 @@ constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0
 constexpr double FirstError = 1.0;
 constexpr double FurtherError = 0.05;
 constexpr double LastError = 0.01;
-constexpr int FurtherRounds = 3;   // of fits to an air that has been simulated again
+constexpr int FurtherRounds = 2;   // of fits to an air that has been simulated again
 constexpr int MostIterations = 60; // of conjugate gradients
-constexpr int RestFits = 2;        // the lattice is not the splines, and is rounded
 constexpr int WindStride = 3;      // frames between samples of a wind, but for the rest
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
@@ -129,7 +128,7 @@ double FlowAt(const AirContext& run, const AirState& state)
 
 } // namespace
 
-Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& output)
+Result AddWind(const AirContext& run, bool goesOn, AirState& state, AssimilationOutput& output)
 {
   const HalfSeries plain = state.Sampled.Velocity;
   WindCorrection correction = CorrectionOf(run, plain);
@@ -143,11 +142,13 @@ Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& outpu
     (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / std::max(1, rounds);
   for (int k = 0; k < rounds; ++k)
   {
-    if (isDrawn && (k == 0 || k == rounds / 2))
+    const bool turns = isDrawn ? k == 0 || k == rounds / 2 + 1 : goesOn && k == 0;
+    if (turns)
     {
-      const Result turned = k == 0 ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
-                                                  Everybody(state.Bodies), state.Bodies)
-                                   : TurnDisagreeing(run, state.Sampled.Velocity, state.Bodies);
+      const Result turned = isDrawn && k == 0
+                              ? TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
+                                             Everybody(state.Bodies), state.Bodies)
+                              : TurnDisagreeing(run, state.Sampled.Velocity, state.Bodies);
       if (!turned || turned.IsStopped())
       {
         return turned;
@@ -176,23 +177,15 @@ Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& outpu
   return Result::Ok();
 }
 
-Result AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
+void AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
   const HalfSeries plain = state.Sampled.Velocity;
   WindCorrection correction = CorrectionOf(run, plain);
   const double error = LastError * FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
-  for (int k = 0; k < RestFits; ++k)
-  {
-    PartMonitor fitting(run.Caller, 1.0, 1.0, "Fitting what the air lacks still");
-    const bool isFitted = Fit(run, state, error, 1, correction, fitting);
-    if (!isFitted || !AddTo(run, plain, correction, state.Sampled.Velocity, fitting))
-    {
-      state.Sampled.Velocity = plain;
-      return Result::Stopped();
-    }
-    output.Rounds.push_back(RoundOf(run, state, "rest " + std::to_string(k + 1), &correction));
-  }
-  return Result::Ok();
+  SilentMonitor silent; // it is short, and a motion without it would not be whole
+  (void)Fit(run, state, error, 1, correction, silent);
+  (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
+  output.Rounds.push_back(RoundOf(run, state, "rest", &correction));
 }
 
 Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
@@ -234,14 +227,6 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
   if (!sought || sought.IsStopped())
   {
     return sought;
-  }
-  if (state.Rounds + 1 < rounds)
-  {
-    const Result turned = TurnDisagreeing(run, state.Sampled.Velocity, state.Bodies);
-    if (!turned || turned.IsStopped())
-    {
-      return turned;
-    }
   }
   output.Rounds.push_back(RoundOf(run, state, "simulate " + number));
   return Result::Ok();

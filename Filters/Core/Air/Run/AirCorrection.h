@@ -8,11 +8,12 @@
 namespace waft
 {
 
-/// The air with the wind that makes the controls needless, found jointly with the paths.
-Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& output);
+/// The air with the wind that makes the controls needless, found jointly with the paths. goesOn: it
+/// is simulated after that, so that those may turn anew whose poses are not what it makes of them.
+Result AddWind(const AirContext& run, bool goesOn, AirState& state, AssimilationOutput& output);
 
 /// The air as it is with what its bodies on their paths lack still.
-Result AddRest(const AirContext& run, AirState& state, AssimilationOutput& output);
+void AddRest(const AirContext& run, AirState& state, AssimilationOutput& output);
 
 /// Towards the air as it is, by what its motion asks for beside what drives it in `plain`; then the
 /// objects drift in it.

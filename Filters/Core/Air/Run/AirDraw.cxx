@@ -172,20 +172,25 @@ Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& outpu
   symmetries.resize(IsSymmetric(run, state.Scene) ? std::min(symmetries.size(), candidates) : 1);
   double least = 1e300;
   AirSymmetry best;
+  HalfSeries image, bestImage;
   for (const AirSymmetry& symmetry : symmetries)
   {
     AssimilationRound row;
     row.Stage = "draw";
     row.Candidate = symmetry.Text();
     const bool isItself = &symmetry == symmetries.data();
-    const double judged =
-      Try(run, state.Bodies, drawn.Wanted, isItself ? air : Image(symmetry, air), row);
+    if (!isItself)
+    {
+      SetImage(symmetry, air, image);
+    }
+    const double judged = Try(run, state.Bodies, drawn.Wanted, isItself ? air : image, row);
     row.Seconds = run.Seconds();
     output.Rounds.push_back(row);
     if (judged < least)
     {
       least = judged;
       best = symmetry;
+      std::swap(image, bestImage);
     }
   }
   state.Candidate = best.Text() + "; warmed up for " + drawn.WarmUp;
@@ -193,7 +198,7 @@ Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& outpu
   state.Scene.Forces.Wind = run.Input.Wind;
   if (best.Text() != AirSymmetry().Text())
   {
-    air = Image(best, air);
+    air = std::move(bestImage);
     WAFT_RETURN_IF_FAILED(TakeImage(best, state.Scene, state.Begun));
   }
   return Result::Ok();

@@ -71,7 +71,7 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
   const std::vector<char> clear = FinishPaths(run, state.Sampled.Velocity, bodies);
   if (!isStopped && bodies.IsOld.empty() && run.Options.WindRounds > 0) // an edit keeps the air
   {
-    WAFT_RETURN_IF_FAILED(AddRest(run, state, output));
+    AddRest(run, state, output);
   }
   if (!output.Rounds.empty() && output.Rounds.back().Stage == Finished)
   {

@@ -18,6 +18,7 @@ constexpr double Degree = 0.017453292519943295;  // rad
 constexpr double AgreeingMedian = 15.0 * Degree; // rad, that is wanted of each body
 constexpr double AgreeingHigh = 45.0 * Degree;   // of the 90th percentile
 constexpr double StepTime = 1.0 / 3.0;           // s
+constexpr int StepsAhead = 3;                    // that are turned besides, for the path to know
 constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
@@ -253,6 +254,7 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vec
   const int frames = run.Input.Scene.Time.NumberOfFrames;
   const int stride =
     std::max(1, static_cast<int>(std::lround(StepTime * run.Input.Scene.Time.FramesPerSecond)));
+  const int ahead = StepsAhead * stride;
   for (int first = 0; first < frames - 1; first += stride)
   {
     Turning turning;
@@ -260,7 +262,8 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vec
     Choose(bodies, which, bodies.Size(), next, turning);
     SetUp(run, air, true, bodies, turning);
     turning.Input.Glides = true;
-    turning.Input.TurnsFrom.assign(turning.Which.size(), first);
+    turning.Input.TurnsFrom = first;
+    turning.Input.TurnsUntil = first + ahead;
     RotationOutput turned;
     PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
     const Result result =
