@@ -27,8 +27,10 @@ constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0
 constexpr double FirstError = 1.0;
 constexpr double FurtherError = 0.05;
 constexpr double LastError = 0.01;
-constexpr int FurtherRounds = 2;   // of fits to an air that has been simulated again
+constexpr int FurtherRounds = 3;   // of fits to an air that has been simulated again, at most
+constexpr double Enough = 0.02;    // of the flow, that is left as control: then no further ones
 constexpr int MostIterations = 60; // of conjugate gradients
+constexpr int RestFits = 2;        // the lattice is not the splines, and is rounded
 constexpr int WindStride = 3;      // frames between samples of a wind, but for the rest
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
@@ -126,6 +128,12 @@ double FlowAt(const AirContext& run, const AirState& state)
   return std::max(all.Rms(all.Flow), 1e-3);
 }
 
+bool IsEnough(const AssimilationOutput& output)
+{
+  const AssimilationRound& last = output.Rounds.back();
+  return last.Control <= Enough * last.Flow;
+}
+
 } // namespace
 
 Result AddWind(const AirContext& run, bool goesOn, AirState& state, AssimilationOutput& output)
@@ -173,6 +181,10 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
       return drifted;
     }
     output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &correction));
+    if (!isDrawn && IsEnough(output))
+    {
+      break;
+    }
   }
   return Result::Ok();
 }
@@ -183,9 +195,12 @@ void AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
   WindCorrection correction = CorrectionOf(run, plain);
   const double error = LastError * FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
   SilentMonitor silent; // it is short, and a motion without it would not be whole
-  (void)Fit(run, state, error, 1, correction, silent);
-  (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
-  output.Rounds.push_back(RoundOf(run, state, "rest", &correction));
+  for (int k = 0; k < RestFits && (k == 0 || !IsEnough(output)); ++k)
+  {
+    (void)Fit(run, state, error, 1, correction, silent);
+    (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
+    output.Rounds.push_back(RoundOf(run, state, "rest " + std::to_string(k + 1), &correction));
+  }
 }
 
 Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
