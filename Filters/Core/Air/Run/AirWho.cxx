@@ -23,8 +23,8 @@ namespace
 
 constexpr std::size_t MostPaired = 100; // objects, of which all pairs are tried
 constexpr std::size_t MostChosen = 1000;
-constexpr std::size_t NearestTried = 24; // objects a target, of more
-constexpr int PairIterations = 6;        // of each start
+constexpr std::size_t MostTried = 24; // objects a target, of more
+constexpr int PairIterations = 6;     // of each start
 constexpr double Never = std::numeric_limits<double>::infinity();
 
 struct Pair
@@ -78,28 +78,38 @@ double DriftBy(const AirContext& run, const AirSampler& air, BodyProblem& body, 
   return least;
 }
 
-// The pairs that are tried: all, or the nearest objects of each target.
+// The pairs that are tried: all, or of each target those objects with which an exchange makes the
+// legs of both least longer.
 std::vector<Pair> PairsOf(const ChosenTargets& group, const AirContext& run,
                           const std::map<int, Vec3>& places)
 {
   std::vector<Pair> pairs;
   const std::vector<MotionObject>& objects = run.Input.Objects;
+  const auto leg = [&](std::size_t o, const Vec3& to)
+  { return (to - places.at(objects[o].ObjectId)).norm(); };
+  std::vector<const ChosenTargets::Target*> ownOf(objects.size(), nullptr);
+  for (const ChosenTargets::Target& target : group.Targets)
+  {
+    ownOf[target.Object] = &target;
+  }
   for (std::size_t t = 0; t < group.Targets.size(); ++t)
   {
     const ChosenTargets::Target& target = group.Targets[t];
-    std::vector<std::pair<double, std::size_t>> near;
+    std::vector<std::pair<double, std::size_t>> longer;
     for (const std::size_t o : group.Candidates)
     {
       if (target.ClassId < 0 || target.ClassId == objects[o].ClassId)
       {
-        const Vec3& from = places.at(objects[o].ObjectId);
-        near.emplace_back(o == target.Object ? -1.0 : (target.Position - from).squaredNorm(), o);
+        const ChosenTargets::Target* other = ownOf[o];
+        const double exchanged =
+          other ? leg(target.Object, other->Position) - leg(o, other->Position) : 0.0;
+        longer.emplace_back(o == target.Object ? -Never : leg(o, target.Position) + exchanged, o);
       }
     }
-    std::sort(near.begin(), near.end());
-    near.resize(group.Candidates.size() > MostPaired ? std::min(near.size(), NearestTried)
-                                                     : near.size());
-    for (const auto& [distance, o] : near)
+    std::sort(longer.begin(), longer.end());
+    longer.resize(group.Candidates.size() > MostPaired ? std::min(longer.size(), MostTried)
+                                                       : longer.size());
+    for (const auto& [by, o] : longer)
     {
       pairs.push_back({ t, o, Never });
     }
