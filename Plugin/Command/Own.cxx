@@ -33,8 +33,10 @@ using namespace waft::command;
 void KeepMemory()
 {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  if (mallopt(M_MMAP_THRESHOLD, 32 << 20) != 0) // the most that it takes
+  {
+    mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  }
 #endif
 }
 

@@ -51,7 +51,7 @@ struct AttitudePlan
   double TurningRate = 60.0; // rad/s, the most that an orientation row may ask for
   bool Glides = false;       // how it slips is wanted
   // Poses that the path came with are kept but for those after the first of these frames, up to the
-  // other.
+  // other, where they may jump back to those.
   int TurnsFrom = std::numeric_limits<int>::max();
   int TurnsUntil = std::numeric_limits<int>::max();
   std::vector<int> Held;  // frames where rows hold the centre: it is not moved there

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -78,19 +79,26 @@ public:
       }
     }
     const auto size = static_cast<Eigen::Index>(3 * this->Rows.size());
-    Eigen::MatrixXd covariance(size, size);
+    Eigen::MatrixXd all(size, this->Rows.front().cols());
     Eigen::VectorXd wanted(size);
     for (Eigen::Index i = 0; i < size; ++i)
     {
       const auto [at, c] = std::div(static_cast<int>(i), 3);
       wanted[i] = this->Wanted[static_cast<std::size_t>(at)][c];
-      for (Eigen::Index j = 0; j < size; ++j)
-      {
-        covariance(i, j) = this->RowOf(i).dot(this->RowOf(j)) + (i == j ? error * error : 0.0);
-      }
+      all.row(i) = this->RowOf(i);
     }
-    this->Weights = covariance.ldlt().solve(wanted);
+    this->Covariance = all * all.transpose();
+    const Eigen::MatrixXd nugget = error * error * Eigen::MatrixXd::Identity(size, size);
+    this->Weights = (this->Covariance + nugget).ldlt().solve(wanted);
   }
+  /// Of the winds at the samples: how far they are from likely.
+  double ChiSquare(const Eigen::VectorXd& winds) const
+  {
+    const Eigen::Index size = winds.size();
+    const Eigen::MatrixXd little = 1e-8 * Eigen::MatrixXd::Identity(size, size);
+    return winds.dot((this->Covariance + little).ldlt().solve(winds));
+  }
+  Eigen::VectorXd AtSamples() const { return this->Covariance * this->Weights; }
   Vec3 At(const Vec3& x, double frame) const
   {
     const Eigen::MatrixXd rows = this->RowsAt(x, frame);
@@ -142,6 +150,7 @@ private:
 
   std::vector<Eigen::MatrixXd> Rows;
   std::vector<Vec3> Wanted;
+  Eigen::MatrixXd Covariance; // of the samples' components
   Eigen::VectorXd Weights;
 };
 
@@ -208,8 +217,13 @@ TEST(WindCorrection, IsTheSameOnAnyNumberOfThreads)
 {
   const WindCorrection one = Fitted(SerialFor());
   const WindCorrection four = Fitted(ThreadedFor(4));
-  const Vec3 x(0.3, 0.7, 1.1);
-  EXPECT_EQ(one.At(x, 33.3), four.At(x, 33.3));
+  Random random(11);
+  for (int s = 0; s < 50; ++s)
+  {
+    const Vec3 x = random.InBox(Volume);
+    const double frame = random.Uniform(0.0, 90.0);
+    EXPECT_EQ(one.At(x, frame), four.At(x, frame));
+  }
 }
 
 TEST(WindCorrection, IsWhatKrigingWithItsCovarianceGives)
@@ -227,6 +241,60 @@ TEST(WindCorrection, IsWhatKrigingWithItsCovarianceGives)
     const Vec3 x = s < 2 ? samples[1].Positions[static_cast<std::size_t>(s)] : random.InBox(Volume);
     EXPECT_LT((wind.At(x, 4.0) - plain.At(x, 4.0)).norm(), 0.01);
   }
+}
+
+// As a correction is fitted: 32 bodies on their ways, that want each something else.
+TEST(WindCorrection, IsNoLessLikelyThanKrigingAllows)
+{
+  Random random(8);
+  std::vector<WindSamples> samples(3);
+  for (int body = 0; body < 32; ++body)
+  {
+    const Vec3 start = random.InBox({ Vec3(-1.5, -1.5, 0.5), Vec3(1.5, 1.5, 3.5) });
+    const Vec3 speed = random.InBox({ Vec3::Constant(-0.8), Vec3::Constant(0.8) });
+    const Vec3 wanted = random.InBox({ Vec3::Constant(-0.5), Vec3::Constant(0.5) });
+    for (std::size_t f = 0; f < samples.size(); ++f)
+    {
+      samples[f].Frame = 30.0 + 3.0 * static_cast<double>(f);
+      samples[f].Positions.push_back(start + 0.1 * static_cast<double>(f) * speed);
+      samples[f].Values.push_back(wanted);
+    }
+  }
+  const double error = 0.03;
+  WindCorrection wind(Volume, Time, Scales);
+  SilentMonitor monitor;
+  EXPECT_TRUE(wind.Fit(samples, error, 60, SerialFor(), monitor));
+  const PlainKriging plain(samples, error);
+  Eigen::VectorXd found(3 * 3 * 32);
+  Eigen::Index at = 0;
+  for (const WindSamples& frame : samples)
+  {
+    for (const Vec3& x : frame.Positions)
+    {
+      found.segment<3>(at) = wind.At(x, frame.Frame);
+      at += 3;
+    }
+  }
+  const double likely = plain.ChiSquare(plain.AtSamples());
+  EXPECT_NEAR(plain.ChiSquare(found), likely, 0.1 * likely);
+}
+
+TEST(WindCorrection, IsNothingWithoutSamplesAndWholeWhereAFitIsStopped)
+{
+  class StopSoon : public Monitor
+  {
+  public:
+    bool Tick(double, const std::string&) override { return --this->Left > 0; }
+    int Left = 4;
+  };
+  WindCorrection wind(Volume, Time, Scales);
+  StopSoon stops;
+  EXPECT_FALSE(wind.Fit(SamplesOfGyre(300), 0.01, 60, SerialFor(), stops));
+  const Vec3 x(0.3, 0.7, 1.1);
+  EXPECT_LT((wind.At(x, 33.0) - Gyre(x, 1.1)).norm(), Gyre(x, 1.1).norm());
+  SilentMonitor monitor;
+  EXPECT_TRUE(wind.Fit({}, 0.01, 60, SerialFor(), monitor));
+  EXPECT_EQ(wind.At(x, 33.0), Vec3::Zero());
 }
 
 TEST(WindCorrection, HasTheVarianceOfItsScales)

@@ -19,7 +19,7 @@ constexpr double WithinSpacing = 1.15;  // spacings, at which a scale's structur
 constexpr std::size_t StructureAt = 16; // frames
 constexpr double LeastShare = 1e-3;     // of the variance, that a scale has
 constexpr double Converged = 1e-2;      // of what the gradient was
-constexpr std::size_t Parts = 8;        // of the frames, each for a thread
+constexpr std::size_t Parts = 16;       // of the frames, each for a thread
 
 /// Mean square of the differences of one component between points so far apart along an axis
 /// [m^2/s^2], between points of the lattice; over a third of three components: of zero distance the
@@ -329,8 +329,8 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
   // Some frames, and what they add to the knots that they touch, which lie one after the other.
   struct Part
   {
-    std::size_t First = 0, Last = 0; // of samples
-    std::vector<std::size_t> Begin, End;
+    std::size_t First = 0, Last = 0;          // of samples
+    std::vector<std::size_t> Begin, End, Own; // by scale, the last in Sums
     std::vector<double> Sums;
   };
   std::vector<Part> parts(std::min(Parts, samples.size()));
@@ -339,7 +339,6 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     Part& part = parts[p];
     part.First = p * samples.size() / parts.size();
     part.Last = (p + 1) * samples.size() / parts.size() - 1;
-    part.Sums.resize(touched.Size);
     for (std::size_t l = 0; l < levels; ++l)
     {
       const WindSplines& scale = this->Scales[l];
@@ -348,11 +347,13 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
       const Touched::Knot& end = touched.Knots[l][last];
       part.Begin.push_back(touched.Knots[l][first].Begin);
       part.End.push_back(end.Begin + 3 * end.Nodes.size());
+      part.Own.push_back(part.Sums.size());
+      part.Sums.resize(part.Sums.size() + part.End[l] - part.Begin[l]);
     }
   }
   const double weight = 1.0 / (error * error);
   const auto addFrame =
-    [&](std::size_t f, const std::vector<double>& a, bool lessValues, std::vector<double>& sums)
+    [&](std::size_t f, const std::vector<double>& a, bool lessValues, Part& part)
   {
     const WindSamples& at = samples[f];
     std::vector<WindSplines::Instant> instants;
@@ -374,7 +375,8 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
       }
       for (std::size_t l = 0; l < levels; ++l)
       {
-        WindSplines::AddCurl(places[l], instants[l], rows[l], weight * wind, sums.data());
+        WindSplines::AddCurl(places[l], instants[l], rows[l], weight * wind,
+                             part.Sums.data() + part.Own[l], part.Begin[l]);
       }
     }
   };
@@ -387,14 +389,10 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
                for (std::size_t p = begin; p < end; ++p)
                {
                  Part& part = parts[p];
-                 for (std::size_t l = 0; l < levels; ++l)
-                 {
-                   std::fill(part.Sums.begin() + static_cast<std::ptrdiff_t>(part.Begin[l]),
-                             part.Sums.begin() + static_cast<std::ptrdiff_t>(part.End[l]), 0.0);
-                 }
+                 std::fill(part.Sums.begin(), part.Sums.end(), 0.0);
                  for (std::size_t f = part.First; f <= part.Last; ++f)
                  {
-                   addFrame(f, a, lessValues, part.Sums);
+                   addFrame(f, a, lessValues, part);
                  }
                }
              });
@@ -405,7 +403,7 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
       {
         for (std::size_t i = part.Begin[l]; i < part.End[l]; ++i)
         {
-          result[i] += part.Sums[i];
+          result[i] += part.Sums[part.Own[l] + i - part.Begin[l]];
         }
       }
     }

@@ -48,7 +48,8 @@ public:
   WindCorrection(const Box& volume, const Timeline& time, const std::vector<WindScale>& scales,
                  DistanceFromSolids distance = nullptr, bool solidsMove = true);
 
-  /// The most probable wind whose samples are off by `error` [m/s] (rms of a component); goes on
+  /// The most probable wind whose samples, in the order of their frames, are off by `error` [m/s]
+  /// (rms of a component); goes on
   /// from the wind as it is, by conjugate gradients. The same on any number of threads. False:
   /// stopped, the wind fits as well as it does by then.
   bool Fit(const std::vector<WindSamples>& samples, double error, int iterations,

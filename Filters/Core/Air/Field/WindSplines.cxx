@@ -275,7 +275,7 @@ WAFT_SIMD_CLONES void SumRows(const WindSplines::Place& place, const WindSplines
 
 WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines::Instant& at,
                               const WindSplines::Rows& rows, const double* v, const double* p,
-                              double* values)
+                              double* values, std::size_t begin)
 {
   const WindSplines::Axis& y = place.Along[1];
   const WindSplines::Axis& z = place.Along[2];
@@ -297,7 +297,7 @@ WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines
       };
       for (std::size_t m = 0; m < 4; ++m)
       {
-        double* row = values + rows.First[m][static_cast<std::size_t>(4 * k + j)];
+        double* row = values + (rows.First[m][static_cast<std::size_t>(4 * k + j)] - begin);
         for (const Double4& product : products)
         {
           Add(at.Weight[m] * product, row);
@@ -319,11 +319,11 @@ Vec3 WindSplines::Curl(const Place& place, const Instant& at, const Rows& rows,
 }
 
 void WindSplines::AddCurl(const Place& place, const Instant& at, const Rows& rows,
-                          const Vec3& value, double* values)
+                          const Vec3& value, double* values, std::size_t begin)
 {
   const Vec3 v = place.Hold.Factor * value;
   const Vec3 p = value.cross(place.Hold.Slope);
-  AddRows(place, at, rows, v.data(), p.data(), values);
+  AddRows(place, at, rows, v.data(), p.data(), values, begin);
 }
 
 void WindSplines::AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,

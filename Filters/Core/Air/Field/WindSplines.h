@@ -71,9 +71,10 @@ public:
   /// In the list of all coefficients.
   Rows RowsOf(const Place& place, const Instant& at) const;
   static Vec3 Curl(const Place& place, const Instant& at, const Rows& rows, const double* values);
-  /// To these, what the product of a value and the curl is of each.
+  /// To these, what the product of a value and the curl is of each. begin: of the values in the
+  /// list.
   static void AddCurl(const Place& place, const Instant& at, const Rows& rows, const Vec3& value,
-                      double* values);
+                      double* values, std::size_t begin = 0);
 
   /// The wind at the points of a lattice at a frame, added to a field. holds: by point, or empty.
   void AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,

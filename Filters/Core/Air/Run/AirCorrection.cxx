@@ -150,7 +150,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
     (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / std::max(1, rounds);
   for (int k = 0; k < rounds; ++k)
   {
-    const bool turns = isDrawn ? k == 0 || k == rounds / 2 + 1 : goesOn && k == 0;
+    const bool turns = isDrawn ? k == 0 || k == std::max(1, rounds - 2) : goesOn && k == 0;
     if (turns)
     {
       const Result turned = isDrawn && k == 0
@@ -194,10 +194,12 @@ void AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
   const HalfSeries plain = state.Sampled.Velocity;
   WindCorrection correction = CorrectionOf(run, plain);
   const double error = LastError * FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
-  SilentMonitor silent; // it is short, and a motion without it would not be whole
-  for (int k = 0; k < RestFits && (k == 0 || !IsEnough(output)); ++k)
+  PartMonitor fitting(run.Caller, 1.0, 1.0, "Fitting what the air lacks still");
+  SilentMonitor silent; // what is found by a stop is added to all frames
+  bool goesOn = true;
+  for (int k = 0; goesOn && k < RestFits && (k == 0 || !IsEnough(output)); ++k)
   {
-    (void)Fit(run, state, error, 1, correction, silent);
+    goesOn = Fit(run, state, error, 1, correction, fitting);
     (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
     output.Rounds.push_back(RoundOf(run, state, "rest " + std::to_string(k + 1), &correction));
   }

@@ -8,8 +8,9 @@
 namespace waft
 {
 
-/// The air with the wind that makes the controls needless, found jointly with the paths. goesOn: it
-/// is simulated after that, so that those may turn anew whose poses are not what it makes of them.
+/// The air with the wind that makes the controls needless, found jointly with the paths. In the air
+/// as drawn all turn, and then those whose poses are not what it makes of them; these also in an
+/// air that has been simulated and goesOn to be so again.
 Result AddWind(const AirContext& run, bool goesOn, AirState& state, AssimilationOutput& output);
 
 /// The air as it is with what its bodies on their paths lack still.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,7 +19,7 @@ constexpr double Degree = 0.017453292519943295;  // rad
 constexpr double AgreeingMedian = 15.0 * Degree; // rad, that is wanted of each body
 constexpr double AgreeingHigh = 45.0 * Degree;   // of the 90th percentile
 constexpr double StepTime = 1.0 / 3.0;           // s
-constexpr int StepsAhead = 3;                    // that are turned besides, for the path to know
+constexpr int StepsAhead = 3;                    // that are turned, for the path to know of them
 constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
@@ -170,8 +171,8 @@ bool AreFew(const AirBodies& bodies)
   return bodies.Size() < FewestForPercentiles;
 }
 
-// Its poses after a frame, and the slips of these; what was before stays.
-void TakePoses(int frame, const AirContext& run, std::size_t o, PoseTrack& turned,
+// Its poses after a frame, and the slips of these up to another; what else was before stays.
+void TakePoses(int frame, int until, const AirContext& run, std::size_t o, PoseTrack& turned,
                AirBodies& bodies)
 {
   const double glide = run.Options.Glide;
@@ -183,7 +184,8 @@ void TakePoses(int frame, const AirContext& run, std::size_t o, PoseTrack& turne
   for (std::size_t k = 0; k < poses.Slips.size(); ++k)
   {
     Vec3& slip = poses.Slips[k];
-    slip = static_cast<int>(k) <= frame ? before[k] : glide * slip + (1.0 - glide) * sinking;
+    const bool stays = static_cast<int>(k) <= frame || static_cast<int>(k) > until;
+    slip = stays ? before[k] : glide * slip + (1.0 - glide) * sinking;
   }
   bodies.Problems[o].SetSlips(poses.Slips);
 }
@@ -237,7 +239,7 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
   {
     if (which[o] && !bodies.IsKept(o))
     {
-      TakePoses(-1, run, o, poses[o], bodies);
+      TakePoses(-1, std::numeric_limits<int>::max(), run, o, poses[o], bodies);
     }
   }
   PartMonitor drifting(run.Caller, -1.0, -1.0, DriftingText);
@@ -274,7 +276,7 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vec
     }
     for (std::size_t i = 0; i < turning.Which.size(); ++i)
     {
-      TakePoses(first, run, turning.Which[i], turned.Poses[i], bodies);
+      TakePoses(first, first + ahead, run, turning.Which[i], turned.Poses[i], bodies);
     }
     run.Parallel(turning.Which.size(),
                  [&](std::size_t begin, std::size_t end)
