@@ -370,6 +370,18 @@ class Locks(Base):
             os._exit(in_child(race))
         self.assertEqual([0, 0], [in_child(race), os.waitstatus_to_exitcode(os.waitpid(other, 0)[1])])
 
+    def test_a_folder_that_another_run_takes_away_meanwhile_can_be_made(self):
+        self.out.mkdir()
+        look = os.access
+
+        def going(path, mode):
+            if self.out.exists():
+                self.out.rmdir()
+            return os.path.exists(path) and look(path, mode)
+
+        with mock.patch.object(os, "access", going):
+            results.check_folder(self.out)
+
     def test_a_users_file_of_the_locks_name_stays(self):
         self.out.mkdir()
         lock = self.out / results.LOCK

@@ -101,14 +101,24 @@ def check_folder(folder):
     """Raises InputError unless files can be written in the folder, or it can be made; makes nothing."""
     try:
         place = pathlib.Path(folder).absolute()
-        while not place.exists() and place != place.parent:
+        while (about := _about(place)) is None and place != place.parent:
             place = place.parent
     except (OSError, ValueError) as error:
         raise InputError(f"{str(folder)[:200]}: expected the name of a folder: {getattr(error, 'strerror', error)}") from error
-    if not place.is_dir():
+    if about is not None and not stat.S_ISDIR(about.st_mode):
         raise InputError(f"{place}: expected a folder for the results, found a file")
     if not os.access(place, os.W_OK | os.X_OK):
+        if _about(place) is None:  # the folder of a run that ended meanwhile, which took it away
+            return check_folder(folder)
         raise InputError(f"{place}: expected a folder that may be written in")
+
+
+def _about(path):
+    """What the system says of a path, links followed; None where there is nothing, or a link to nothing."""
+    try:
+        return path.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
 
 
 def is_at_work(folder):
@@ -180,7 +190,7 @@ class ResultPlace:
         try:
             self.root.mkdir(parents=True, exist_ok=True)
             folder = room = Folder(self.root)
-        except (FileExistsError, InputError) as error:
+        except (FileExistsError, FileNotFoundError, InputError) as error:
             if self.root.is_symlink() or not isinstance(error.__cause__ or error, (FileExistsError, FileNotFoundError)):
                 raise
             return
