@@ -26,7 +26,7 @@ from datafiles import write_pvd, write_xml  # noqa: E402
 from waft.measuring import _flights, _two_sample  # noqa: E402
 from waft.measuring._airfield import AirField, shells  # noqa: E402
 from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, gliding, make_drifters  # noqa: E402
-from waft.measuring._flights import Flights  # noqa: E402
+from waft.measuring._flights import Flights, rms  # noqa: E402
 from waft.measuring._legibility import covered  # noqa: E402
 from waft.measuring._runs import flight, held, read_run  # noqa: E402
 from waft.measuring.rows import _control, _lacking, table  # noqa: E402
@@ -659,6 +659,11 @@ class FolderTest(unittest.TestCase):
         for key in ("replay_last", "replay_whole"):
             self.assertAlmostEqual(rows["pushed"][key].value, 0.1 / 4.0, delta=0.005)
         self.assertFalse(rows["pushed"]["replay_last_90"].met)
+        speed = rms(np.concatenate([self.air.at(self.path[:, k], k / RATE) for k in range(FRAMES)]))
+        self.assertLess(rows["carried"]["control_all"].value, 1e-3)
+        beside = 0.1 * (np.arange(31) + 0.5) / RATE  # where the air turns otherwise
+        pushed = np.sqrt(np.sum(0.1**2 + (SPIN * beside) ** 2) / (FRAMES - 1)) / speed
+        self.assertAlmostEqual(rows["pushed"]["control"].value, pushed, delta=0.05 * pushed)
         self.assertAlmostEqual(rows["carried"]["rush"].value, 3.0 / ((mark - 30 + 3.0 * 32) / FRAMES), delta=0.01)
         for step in (3, 5):
             os.remove(os.path.join(WORK, "pushed", "air", f"air_{step:04d}.vti"))

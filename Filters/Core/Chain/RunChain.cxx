@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace waft
@@ -81,6 +82,7 @@ private:
   Result Optimise(Monitor& monitor);
   Result Turn(Monitor& monitor);
   Result Fit(Monitor& monitor);
+  PlanAroundObstacles Around();
   bool HasAir() const { return !this->Made.Air.Air->Velocity.IsEmpty(); }
 
   const ChainInputs& Inputs;
@@ -293,12 +295,49 @@ Result Chain::Plan(Monitor& monitor)
   return result;
 }
 
+// Who gets another mark with an obstacle between is planned as all were.
+PlanAroundObstacles Chain::Around()
+{
+  if (this->Inputs.Database.Segments.empty()) // the plan was given
+  {
+    return nullptr;
+  }
+  const auto memory = std::make_shared<PlanCache>();
+  return [this, memory](const std::vector<MotionObject>& objects, std::vector<Constraint> rows)
+  {
+    for (Constraint& row : rows)
+    {
+      row.Choice = ObjectChoice::Given;
+    }
+    std::vector<std::vector<Vec3>> paths(objects.size());
+    ObstacleSet obstacles;
+    PlanOutput plan;
+    SilentMonitor silent;
+    if (!BuildPlanObstacles(this->Obstacles, obstacles) ||
+        !PlanMotion({ this->Inputs.Database, objects, rows, obstacles, this->Inputs.TheScene.Info },
+                    this->Options.Plan, this->Parallel, silent, plan, memory.get()))
+    {
+      return paths;
+    }
+    for (std::size_t o = 0; o < paths.size(); ++o)
+    {
+      if (plan.Objects[o].Status == ConstraintStatus::Met)
+      {
+        paths[o] = std::move(plan.Tracks[o].Positions);
+      }
+    }
+    return paths;
+  };
+}
+
 Result Chain::Assimilate(Monitor& monitor)
 {
   AssimilationInput problem{ this->ProblemOf(ChainStage::Assimilation),
                              this->Inputs.TheScene.Shapes,
                              this->Options.Turning.value_or(this->Options.Rotation),
-                             this->Inputs.Ranks, this->Inputs.Drawn };
+                             this->Inputs.Ranks,
+                             this->Inputs.Drawn,
+                             this->Around() };
   AssimilationOptions motion = this->Options.Air; // without what changes nothing of it
   motion.CheckpointFile = motion.StateFile = std::string();
   motion.TimeLimit = 0.0;

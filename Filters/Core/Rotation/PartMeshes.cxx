@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace waft
 {
@@ -14,6 +15,7 @@ namespace
 
 constexpr int MostPasses = 3;
 constexpr std::size_t NamedPairs = 5; // pairs of which the same is said
+constexpr std::size_t Crowd = 8;      // others beside whose marks there is no room: it stays there
 
 std::vector<Meeting> MeetingsOf(const std::vector<MeshCut>& cuts, int gap)
 {
@@ -31,6 +33,26 @@ std::vector<Meeting> MeetingsOf(const std::vector<MeshCut>& cuts, int gap)
     meetings.push_back({ cut.A, cut.B, cut.Frame, cut.Frame });
   }
   return meetings;
+}
+
+// Takes out those at marks of two bodies that are each in a crowd there, whom nothing small parts.
+void LeaveCrowds(std::size_t bodies, std::vector<MeshCut>& cuts)
+{
+  std::vector<std::set<std::size_t>> others(bodies);
+  for (const MeshCut& cut : cuts)
+  {
+    if (cut.NearMarks)
+    {
+      others[cut.A].insert(cut.B);
+      others[cut.B].insert(cut.A);
+    }
+  }
+  cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
+                            [&](const MeshCut& cut) {
+                              return cut.NearMarks && others[cut.A].size() > Crowd &&
+                                     others[cut.B].size() > Crowd;
+                            }),
+             cuts.end());
 }
 
 /// "objects 3 and 7 at frames 10 to 14".
@@ -102,6 +124,7 @@ bool PartMeshes(const RotationInput& input, const std::vector<Constraint>& rows,
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
                               [&](const MeshCut& cut) { return !parting.IsFree(cut); }),
                cuts.end());
+    LeaveCrowds(tracks.size(), cuts);
     isChanged = parting.Part(MeetingsOf(cuts, parting.EaseFrames()), parallel);
     if (parting.IsStopped())
     {

@@ -16,7 +16,8 @@ namespace waft
 /// to nothing where poses and places are given, by no more than `most` [rad] from a frame to the
 /// next, so that balls, clearances and surfaces are kept and no other pair is worse for it. Done
 /// pair by pair in the order of frames, again for those whom others got in the way of, pairs out of
-/// each other's reach at once: the same on any number of threads.
+/// each other's reach at once: the same on any number of threads. Bodies whose marks leave no room
+/// for more than eight others stay in them as they are.
 /// tracks: as bodies fly, moved by shifts so far; rows: rests with their first contacts. Changes
 /// the orientations of poses and the positions of tracks. False: stopped; then they are of no use.
 bool PartMeshes(const RotationInput& input, const std::vector<Constraint>& rows, double most,

@@ -19,17 +19,24 @@ Eigen::VectorXd Residuals(const DriftProblem& problem, const FieldSeries& air,
   const double dt = problem.Time.Step();
   const auto frames = static_cast<Eigen::Index>(x.size());
   Eigen::VectorXd all = Eigen::VectorXd::Zero(9 * frames);
-  Vec3 before = Vec3::Zero();
+  Vec3 before = Vec3::Zero(), lastVelocity = Vec3::Zero(), lastGiven = Vec3::Zero();
   for (std::size_t k = 0; k + 1 < x.size(); ++k)
   {
     const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
     const Vec3 u = 0.5 * (air.Sample(middle, air.Times[k]) + air.Sample(middle, air.Times[k + 1]));
     const double factor = problem.Ground.Factor(middle, static_cast<double>(k) + 0.5);
-    Vec3 c = (x[k + 1] - x[k]) / dt - u + factor * problem.Law.Slip;
-    if (problem.ResponseTime > 0.0 && k > 0 && k + 2 < x.size())
+    const Vec3 velocity = (x[k + 1] - x[k]) / dt;
+    const Vec3 given = u - factor * problem.Law.Slip;
+    Vec3 c = velocity - given;
+    if (problem.ResponseTime > 0.0 && k > 0)
     {
-      c += problem.ResponseTime * (x[k + 2] - x[k + 1] - x[k] + x[k - 1]) / (2.0 * dt * dt);
+      const double r = dt / problem.ResponseTime;
+      const double e = std::exp(-r);
+      const double now = 1.0 - (1.0 - e) / r;
+      c = (velocity - e * lastVelocity - (1.0 - e - now) * lastGiven - now * given) / (1.0 - e);
     }
+    lastVelocity = velocity;
+    lastGiven = given;
     const auto at = static_cast<Eigen::Index>(9 * k);
     all.segment<3>(at) = std::sqrt(dt * problem.Flight[k]) * c;
     if (k > 0)

@@ -291,3 +291,71 @@ TEST(AssimilationWho, MarksGoToWhomTheAirBringsThereAndStayWithThemInEdits)
     EXPECT_EQ(edited.Tracks[o].Positions != chosen.Tracks[o].Positions, isEdited) << o;
   }
 }
+
+// Two bodies whose marks are crosswise, behind a wall: the exchange needs plans over it.
+TEST(AssimilationWho, WithAnObstacleBetweenAPlanAroundItIsAskedFor)
+{
+  AssimilationInput input = Crossing();
+  ObstacleMesh wall;
+  wall.ObstacleId = 1;
+  wall.Mesh = MakeBox({ Vec3(-0.15, -1.6, 0.0), Vec3(0.15, 1.6, 2.6) });
+  input.Obstacles.push_back(wall);
+  input.Objects.resize(2);
+  input.Constraints.resize(2);
+  input.Tracks.resize(2);
+  const auto over = [](const Vec3& from, const Vec3& to)
+  {
+    std::vector<Vec3> path;
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = std::min(1.0, f / 40.0);
+      path.push_back((1.0 - s) * from + s * to + Vec3(0.0, 0.0, 1.4 * std::sin(M_PI * s)));
+    }
+    return path;
+  };
+  for (std::size_t o = 0; o < 2; ++o)
+  {
+    const double side = o == 0 ? 0.5 : -0.5;
+    input.Objects[o].Position = Vec3(-0.8, side, 2.2);
+    Constraint& row = input.Constraints[o];
+    row.Value = Vec3(0.8, -side, 2.0);
+    row.Choice = ObjectChoice::AmongAll;
+    row.Group = 0;
+    input.Tracks[o].Positions = over(input.Objects[o].Position, row.Value);
+  }
+  AssimilationOptions options = Small();
+  options.Rounds = 0;
+  const auto who = [](const AssimilationOutput& output)
+  {
+    const auto row = std::find_if(output.Rounds.begin(), output.Rounds.end(),
+                                  [](const AssimilationRound& r) { return r.Stage == "who"; });
+    return row->Candidate;
+  };
+  const AssimilationOutput alone = Assimilated(input, options);
+  EXPECT_EQ(alone.Constraints[0].ObjectId, 0);
+  EXPECT_NE(who(alone).find("2 pairs with an obstacle between were left out"), std::string::npos)
+    << who(alone);
+  std::size_t asked = 0;
+  input.PlanAround =
+    [&](const std::vector<MotionObject>& objects, const std::vector<Constraint>& rows)
+  {
+    std::vector<std::vector<Vec3>> paths;
+    for (std::size_t k = 0; k < objects.size(); ++k)
+    {
+      EXPECT_EQ(rows[k].ObjectId, objects[k].ObjectId);
+      paths.push_back(over(objects[k].Position, rows[k].Value));
+    }
+    asked += objects.size();
+    return paths;
+  };
+  const AssimilationOutput planned = Assimilated(input, options);
+  EXPECT_GE(asked, 2u);
+  EXPECT_EQ(planned.Constraints[0].ObjectId, 1);
+  EXPECT_EQ(planned.Constraints[1].ObjectId, 0);
+  EXPECT_EQ(who(planned).find("left out"), std::string::npos);
+  for (const Track& track : planned.Tracks)
+  {
+    const Vec3& first = track.Positions.front();
+    EXPECT_EQ(track.Positions[40], Vec3(0.8, first.y(), 2.0)) << track.ObjectId;
+  }
+}

@@ -269,6 +269,64 @@ TEST(Drift, NeedsNoControlWhereNothingIsWanted)
   }
 }
 
+// As a fine integration of T v' = w - v goes, and where the control is given as a wind forward in
+// time to the mark that it was found for.
+TEST(Drift, OfABodyWithInertiaIsReplayedForward)
+{
+  const HalfSeries air = Flow(Swirl);
+  const FieldSeries floats = Unpacked(air);
+  const double dt = Line().Step();
+  for (const double response : { 0.005, 0.05, 0.2 })
+  {
+    DriftProblem problem = Free(Vec3(0.5, 0.2, 3.0));
+    problem.ResponseTime = response;
+    std::vector<Vec3> path(Frames, Vec3(0.5, 0.2, 3.0));
+    (void)SolveDrift(problem, AirSampler(air), {}, 100, path);
+    EXPECT_LT(ControlInFlight(problem, AirSampler(air), path), 1e-6);
+    const Vec3 slip = problem.Law.Slip;
+    const auto given = [&](const Vec3& at, double t) { return Vec3(floats.Sample(at, t) - slip); };
+    constexpr int Fine = 100;
+    const double h = dt / Fine;
+    Vec3 x = path[0], v = (path[1] - path[0]) / dt;
+    for (int k = 0; k + 1 < Frames; ++k)
+    {
+      for (int s = 0; s < Fine; ++s)
+      {
+        const double t = Line().Time(k) + (s + 0.5) * h;
+        const double kept = std::exp(-h / response);
+        const Vec3 w = given(x + 0.5 * h * v, t);
+        const Vec3 next = kept * v + (1.0 - kept) * w;
+        x += 0.5 * h * (v + next);
+        v = next;
+      }
+    }
+    EXPECT_LT((path.back() - x).norm(), 5e-3) << response;
+
+    DriftProblem asked = ToAMark();
+    asked.ResponseTime = response;
+    std::vector<Vec3> flown = StraightIn(asked);
+    (void)SolveDrift(asked, AirSampler(air), {}, 100, flown);
+    const std::vector<Vec3> controls = DriftControls(asked, AirSampler(air), flown);
+    const double e = std::exp(-dt / response);
+    const double now = 1.0 - response / dt * (1.0 - e);
+    Vec3 at = flown[1], velocity = (flown[1] - flown[0]) / dt;
+    Vec3 before = given(0.5 * (flown[0] + flown[1]), 0.5 * dt);
+    for (int k = 1; k + 1 < Frames; ++k)
+    {
+      Vec3 next = velocity, there;
+      for (int i = 0; i < 20; ++i)
+      {
+        there = given(at + 0.5 * dt * next, (k + 0.5) * dt);
+        next = e * velocity + (1.0 - e - now) * before + now * there + (1.0 - e) * controls[k];
+      }
+      velocity = next;
+      before = there;
+      at += dt * velocity;
+    }
+    EXPECT_LT((at - asked.Fixed.back()).norm(), 1e-4) << response;
+  }
+}
+
 TEST(Drift, EndsWhereNoChangeCostsLess)
 {
   const HalfSeries air = Flow(Swirl);

@@ -81,8 +81,12 @@ struct DriftOutcome
 };
 
 /// The control of a step [m/s]: what moves the body beside the air,
-///   c = x' + ResponseTime x'' - u(x, t) + f Slip,
+///   c = x' - w,  w = u(x, t) - f Slip,
 /// with the factor f of the ground effect: what the body's law leaves over, in units of velocity.
+/// Of a body with inertia, after its first step, by the exact step of T v' = w - v for a w that is
+/// linear between the middles of steps, so that a body let go goes the same way (T: ResponseTime):
+///   (1 - e) c_k = v_k - e v_(k-1) - b_0 w_(k-1) - b_1 w_k,
+///   e = exp(-dt / T),  b_1 = 1 - (T / dt) (1 - e),  b_0 = 1 - e - b_1.
 std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& air,
                                 const std::vector<Vec3>& path);
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Drift/DriftResiduals.h"
 
+#include <cmath>
+
 namespace waft
 {
 
 int DriftResiduals::ReachOf(const DriftProblem& problem)
 {
-  int reach = problem.ResponseTime > 0.0 ? DriftResidual::Reach : 2;
+  int reach = problem.ResponseTime > 0.0 ? 3 : 2;
   for (const DriftRow& row : problem.Rows)
   {
     reach = std::max(reach, row.Terms.back().first - row.Terms.front().first);
@@ -32,35 +34,61 @@ void DriftResiduals::FindDepths(const std::vector<Vec3>& x, std::vector<DriftDep
   }
 }
 
+DriftResiduals::DriftResiduals(const DriftProblem& problem, const AirSampler& air,
+                               const DriftWeights& weights) :
+  Problem(problem),
+  Air(air), Weights(weights), Frames(static_cast<int>(problem.IsFixed.size())),
+  Step(problem.Time.Step())
+{
+  if (problem.ResponseTime > 0.0)
+  {
+    const double steps = problem.ResponseTime / this->Step;
+    this->Decay = std::exp(-1.0 / steps);
+    this->Before = steps * (1.0 - this->Decay) - this->Decay;
+  }
+}
+
 Vec3 DriftResiduals::Control(const std::vector<Vec3>& x, int k, DriftResidual* linear) const
 {
-  const Vec3& a = x[static_cast<std::size_t>(k)];
-  const Vec3& b = x[static_cast<std::size_t>(k) + 1];
-  Mat3 gradient;
-  Vec3 c = (b - a) / this->Step - this->Drifting(k, 0.5 * (a + b), linear ? &gradient : nullptr);
-  const bool inert = this->Problem.ResponseTime > 0.0 && k > 0 && k + 2 < this->Frames;
-  const double inertia = this->Problem.ResponseTime / (2.0 * this->Step * this->Step);
-  if (inert)
+  const auto at = static_cast<std::size_t>(k);
+  const bool inert = this->Decay > 0.0 && k > 0;
+  const auto part = [&](std::size_t step, Mat3& gradient, Vec3& drifting)
   {
-    c +=
-      inertia * (x[static_cast<std::size_t>(k) + 2] - b - a + x[static_cast<std::size_t>(k) - 1]);
+    drifting = this->Drifting(static_cast<int>(step), 0.5 * (x[step] + x[step + 1]),
+                              linear ? &gradient : nullptr);
+    return Vec3((x[step + 1] - x[step]) / this->Step);
+  };
+  Mat3 gradient;
+  Vec3 drifting;
+  const Vec3 velocity = part(at, gradient, drifting);
+  Vec3 c = velocity - drifting;
+  const Mat3 one = Mat3::Identity() / this->Step;
+  if (!inert)
+  {
+    if (linear)
+    {
+      linear->First = k;
+      linear->Count = 2;
+      linear->Value = c;
+      linear->Blocks[0] = -one - 0.5 * gradient;
+      linear->Blocks[1] = one - 0.5 * gradient;
+    }
+    return c;
   }
+  const double scale = 1.0 / (1.0 - this->Decay);
+  const double kept = scale * this->Decay, before = scale * this->Before, now = 1.0 - before;
+  Mat3 lastGradient;
+  Vec3 lastDrifting;
+  const Vec3 lastVelocity = part(at - 1, lastGradient, lastDrifting);
+  c = scale * velocity - kept * lastVelocity - before * lastDrifting - now * drifting;
   if (linear)
   {
-    linear->First = inert ? k - 1 : k;
-    linear->Count = inert ? 4 : 2;
+    linear->First = k - 1;
+    linear->Count = 3;
     linear->Value = c;
-    const Mat3 one = Mat3::Identity();
-    const int at = inert ? 1 : 0;
-    linear->Blocks[at] = -one / this->Step - 0.5 * gradient;
-    linear->Blocks[at + 1] = one / this->Step - 0.5 * gradient;
-    if (inert)
-    {
-      linear->Blocks[0] = inertia * one;
-      linear->Blocks[1] -= inertia * one;
-      linear->Blocks[2] -= inertia * one;
-      linear->Blocks[3] = inertia * one;
-    }
+    linear->Blocks[0] = kept * one - 0.5 * before * lastGradient;
+    linear->Blocks[1] = -(kept + scale) * one - 0.5 * before * lastGradient - 0.5 * now * gradient;
+    linear->Blocks[2] = scale * one - 0.5 * now * gradient;
   }
   return c;
 }

@@ -35,11 +35,7 @@ struct DriftDepthAt
 class DriftResiduals
 {
 public:
-  DriftResiduals(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights) :
-    Problem(problem), Air(air), Weights(weights), Frames(static_cast<int>(problem.IsFixed.size())),
-    Step(problem.Time.Step())
-  {
-  }
+  DriftResiduals(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights);
 
   /// Frames that a residual of the problem spans, less one.
   static int ReachOf(const DriftProblem& problem);
@@ -187,6 +183,8 @@ private:
   const DriftWeights& Weights;
   int Frames;
   double Step;
+  double Decay = 0.0;            // of an inert body's velocity in a step; 0: it has no inertia
+  double Before = 0.0;           // what of the step before is in it
   std::vector<DriftDepth> Found; // at a frame
 };
 

@@ -408,7 +408,9 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
       }
     }
   };
-  std::vector<double> found(touched.Size), residual, direction, product;
+  std::vector<double> found(touched.Size, 0.0), residual, direction, product;
+  apply(found, true, residual);
+  const double without = Dot(residual, residual);
   touched.Each(*this,
                [&](std::size_t all, std::size_t at) { found[at] = this->Coefficients[all]; });
   apply(found, true, residual);
@@ -420,7 +422,8 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
   double size = Dot(residual, residual);
   const double enough = Converged * Converged * size;
   bool goesOn = true;
-  for (int iteration = 0; iteration < iterations && size > enough && goesOn; ++iteration)
+  int iteration = 0;
+  for (; iteration < iterations && size > enough && goesOn; ++iteration)
   {
     apply(direction, false, product);
     const double step = size / Dot(direction, product);
@@ -440,6 +443,15 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
   std::fill(this->Coefficients.begin(), this->Coefficients.end(), 0.0);
   touched.Each(*this,
                [&](std::size_t all, std::size_t at) { this->Coefficients[all] = found[at]; });
+  std::size_t values = 0;
+  for (const WindSamples& at : samples)
+  {
+    values += 3 * at.Positions.size();
+  }
+  this->Last.Unknowns = touched.Size;
+  this->Last.Iterations = iteration;
+  this->Last.Gradient = without > 0.0 ? std::sqrt(size / without) : 0.0;
+  this->Last.ChiSquared = Dot(found, found) / static_cast<double>(std::max<std::size_t>(1, values));
   return goesOn;
 }
 

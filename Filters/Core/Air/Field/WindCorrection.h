@@ -38,6 +38,16 @@ struct WindSamples
 using DistanceFromSolids =
   std::function<double(const Vec3& x, double frame, double reach, Vec3& away)>;
 
+/// How a fit ended.
+struct WindFit
+{
+  std::size_t Unknowns = 0; // coefficients that samples touch
+  int Iterations = 0;
+  double Gradient = 0.0; // left, over that of no wind
+  double ChiSquared =
+    0.0; // of the wind at the samples by the air's covariance, a degree of freedom
+};
+
 /// A sum of WindSplines of several scales with independent coefficients of unit variance: kriging
 /// with the covariance of the air (Matheron 1963), whose most probable wind given samples has the
 /// least squares of coefficients and misfits. Beside solids it is held back as at walls, as far as
@@ -49,11 +59,11 @@ public:
                  DistanceFromSolids distance = nullptr, bool solidsMove = true);
 
   /// The most probable wind whose samples, in the order of their frames, are off by `error` [m/s]
-  /// (rms of a component); goes on
-  /// from the wind as it is, by conjugate gradients. The same on any number of threads. False:
-  /// stopped, the wind fits as well as it does by then.
+  /// (rms of a component); goes on from the wind as it is, by conjugate gradients. The same on any
+  /// number of threads. False: stopped, the wind fits as well as it does by then.
   bool Fit(const std::vector<WindSamples>& samples, double error, int iterations,
            const ParallelFor& parallel, Monitor& monitor);
+  const WindFit& Fitted() const { return this->Last; }
   Vec3 At(const Vec3& x, double frame) const;
   /// sum = air + W at the points of the lattice, of each field's frame; sum is on the same lattice
   /// and has as many fields. False: stopped, at some frames.
@@ -79,6 +89,7 @@ private:
   DistanceFromSolids Distance;
   bool SolidsMove;
   std::vector<double> Coefficients;
+  WindFit Last;
 };
 
 } // namespace waft

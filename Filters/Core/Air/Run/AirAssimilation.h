@@ -183,6 +183,11 @@ struct DrawnAirs
     Make;
 };
 
+/// Plans for objects with rows of theirs, around what is in the way: by object a place a frame, or
+/// nothing where there is none.
+using PlanAroundObstacles = std::function<std::vector<std::vector<Vec3>>(
+  const std::vector<MotionObject>& objects, const std::vector<Constraint>& rows)>;
+
 /// Its Vortices are the scene's own, which stir the air with the random ones.
 struct AssimilationInput : MotionProblem
 {
@@ -191,6 +196,9 @@ struct AssimilationInput : MotionProblem
   /// Those besides rank 0 are in Serve meanwhile (Base/SharedWork.h); null: rank 0 alone.
   Communicator* Ranks = nullptr;
   DrawnAirs Drawn = {};
+  /// For who gets another mark, with an obstacle between; null: such keep those by the shortest
+  /// legs.
+  PlanAroundObstacles PlanAround = nullptr;
 };
 
 /// What a round brought.

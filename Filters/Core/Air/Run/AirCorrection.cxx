@@ -7,10 +7,12 @@
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/BodyTurning.h"
 #include "Air/Run/RunProgress.h"
+#include "Base/NumberText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,11 +29,12 @@ constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0
 constexpr double FirstError = 1.0;
 constexpr double FurtherError = 0.05;
 constexpr double LastError = 0.01;
-constexpr int FurtherRounds = 3;   // of fits to an air that has been simulated again, at most
-constexpr double Enough = 0.02;    // of the flow, that is left as control: then no further ones
-constexpr int MostIterations = 60; // of conjugate gradients
-constexpr int RestFits = 2;        // the lattice is not the splines, and is rounded
-constexpr int WindStride = 3;      // frames between samples of a wind, but for the rest
+constexpr int FurtherRounds = 3;      // of fits to an air that has been simulated again, at most
+constexpr double Enough = 0.02;       // of the flow, that is left as control: then no further ones
+constexpr int MostIterations = 60;    // of conjugate gradients
+constexpr double LargeGradient = 0.5; // that they leave, of which is warned
+constexpr int RestFits = 2;           // the lattice is not the splines, and is rounded
+constexpr int WindStride = 3;         // frames between samples of a wind, but for the rest
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
 bool AddTo(const AirContext& run, const HalfSeries& plain, const WindCorrection& correction,
@@ -128,6 +131,62 @@ double FlowAt(const AirContext& run, const AirState& state)
   return std::max(all.Rms(all.Flow), 1e-3);
 }
 
+// Its figures.
+std::string FitText(const WindFit& fit)
+{
+  return "chi2 " + NumberText(fit.ChiSquared, 2) + "; " + std::to_string(fit.Unknowns) +
+         " unknowns, " + std::to_string(fit.Iterations) + " iterations to " +
+         NumberText(fit.Gradient, 2) + " of the gradient without";
+}
+
+void WarnOfFit(const WindFit& fit, AssimilationOutput& output)
+{
+  if (fit.Gradient > LargeGradient)
+  {
+    output.Warnings.push_back(
+      "the wind correction was not found to its end: " + std::to_string(fit.Iterations) +
+      " iterations leave " + NumberText(100.0 * fit.Gradient, 2) +
+      " % of the gradient; what it lacks moves the objects as their own control");
+  }
+}
+
+// The acceleration that a wind adds to an air at the bodies, over the air's own: what no force that
+// is declared brings about.
+double MomentumResidual(const AirContext& run, const AirState& state, const HalfSeries& plain)
+{
+  const AirSampler before(plain), after(state.Sampled.Velocity);
+  const double rate = run.Input.Scene.Time.FramesPerSecond;
+  const auto accelerationOf = [rate](const AirSampler& air, int frame, const Vec3& x)
+  {
+    Mat3 gradient;
+    const Vec3 u = air.At(frame, x, &gradient);
+    return Vec3(0.5 * rate * (air.At(frame + 1, x) - air.At(frame - 1, x)) + gradient * u);
+  };
+  const std::size_t count = state.Bodies.Size();
+  std::vector<double> added(count, 0.0), own(count, 0.0);
+  run.Parallel(count,
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t o = begin; o < end; ++o)
+                 {
+                   const DriftProblem problem = state.Bodies.Problems[o].In(after);
+                   const std::vector<Vec3>& path = state.Bodies.Paths[o];
+                   for (int f = 1; f + 1 < static_cast<int>(path.size()); ++f)
+                   {
+                     if (IsFreeStep(problem, path, f))
+                     {
+                       const Vec3& x = path[static_cast<std::size_t>(f)];
+                       const Vec3 was = accelerationOf(before, f, x);
+                       added[o] += (accelerationOf(after, f, x) - was).squaredNorm();
+                       own[o] += was.squaredNorm();
+                     }
+                   }
+                 }
+               });
+  const double all = std::accumulate(own.begin(), own.end(), 0.0);
+  return all > 0.0 ? std::sqrt(std::accumulate(added.begin(), added.end(), 0.0) / all) : 0.0;
+}
+
 bool IsEnough(const AssimilationOutput& output)
 {
   const AssimilationRound& last = output.Rounds.back();
@@ -181,6 +240,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
       return drifted;
     }
     output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &correction));
+    output.Rounds.back().Candidate = FitText(correction.Fitted());
     if (!isDrawn && IsEnough(output))
     {
       break;
@@ -202,7 +262,11 @@ void AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
     goesOn = Fit(run, state, error, 1, correction, fitting);
     (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
     output.Rounds.push_back(RoundOf(run, state, "rest " + std::to_string(k + 1), &correction));
+    output.Rounds.back().Candidate = FitText(correction.Fitted()) + "; momentum residual " +
+                                     NumberText(MomentumResidual(run, state, plain), 2) +
+                                     " of the acceleration";
   }
+  WarnOfFit(correction.Fitted(), output);
 }
 
 Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,

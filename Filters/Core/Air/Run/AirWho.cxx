@@ -4,14 +4,12 @@
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/AirSetup.h"
 #include "Air/Run/RunProgress.h"
+#include "Air/Run/WhoPairs.h"
+#include "Base/NumberText.h"
 #include "Constraints/ConstraintCheck.h"
-#include "Constraints/Keyframes.h"
-#include "Constraints/LeastCost.h"
-#include "Constraints/RowsOfObjects.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -21,205 +19,17 @@ namespace waft
 namespace
 {
 
-constexpr std::size_t MostPaired = 100; // objects, of which all pairs are tried
 constexpr std::size_t MostChosen = 1000;
-constexpr std::size_t MostTried = 24; // objects a target, of more
-constexpr int PairIterations = 6;     // of each start
-constexpr double Never = std::numeric_limits<double>::infinity();
 
-struct Pair
+void Give(const ChosenTargets& group, const std::vector<std::size_t>& objects, AirContext& run)
 {
-  std::size_t Target = 0, Object = 0;
-  double Cost = Never;
-};
-
-/// Of the rows of an object that count beside those that are open still.
-std::vector<Constraint> OwnRows(const AirContext& run, const RowsOfObjects& places, int id,
-                                const std::vector<char>& counts, const std::vector<char>& isOpen)
-{
-  std::vector<Constraint> rows;
-  for (const std::size_t i : places.Of(id))
+  for (std::size_t t = 0; t < objects.size(); ++t)
   {
-    if (counts[i] && !isOpen[i])
+    for (const std::size_t i : group.Targets[t].Rows)
     {
-      rows.push_back(run.Rows[i]);
+      run.Rows[i].ObjectId = run.Input.Objects[objects[t]].ObjectId;
     }
   }
-  return rows;
-}
-
-bool IsAsked(const std::vector<Constraint>& rows, int frame, int until)
-{
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const Constraint& row) {
-                       return IsPositional(row.Kind) && row.Frame <= until &&
-                              LastFrame(row) >= frame;
-                     });
-}
-
-// The least cost of a drift by rows, and its path. mayPass: what leads through an obstacle counts.
-double DriftBy(const AirContext& run, const AirSampler& air, BodyProblem& body, int iterations,
-               bool mayPass, std::vector<Vec3>& path)
-{
-  SetLatestTouchDowns(run.Search, body);
-  const DriftProblem problem = body.In(air);
-  std::vector<std::vector<Vec3>> starts = body.Starts(air, 0);
-  double least = Never;
-  for (std::size_t k = mayPass ? 0 : 1; k < starts.size(); ++k) // the plan leads elsewhere
-  {
-    const double cost = SolveDrift(problem, air, run.Search.Weights, iterations, starts[k]).Cost;
-    const bool passes = !mayPass && run.FromSolids && body.PassesThrough(starts[k]);
-    if (!passes && cost < least)
-    {
-      least = cost;
-      path = std::move(starts[k]);
-    }
-  }
-  return least;
-}
-
-// The pairs that are tried: all, or of each target those objects with which an exchange makes the
-// legs of both least longer.
-std::vector<Pair> PairsOf(const ChosenTargets& group, const AirContext& run,
-                          const std::map<int, Vec3>& places)
-{
-  std::vector<Pair> pairs;
-  const std::vector<MotionObject>& objects = run.Input.Objects;
-  const auto leg = [&](std::size_t o, const Vec3& to)
-  { return (to - places.at(objects[o].ObjectId)).norm(); };
-  std::vector<const ChosenTargets::Target*> ownOf(objects.size(), nullptr);
-  for (const ChosenTargets::Target& target : group.Targets)
-  {
-    ownOf[target.Object] = &target;
-  }
-  for (std::size_t t = 0; t < group.Targets.size(); ++t)
-  {
-    const ChosenTargets::Target& target = group.Targets[t];
-    std::vector<std::pair<double, std::size_t>> longer;
-    for (const std::size_t o : group.Candidates)
-    {
-      if (target.ClassId < 0 || target.ClassId == objects[o].ClassId)
-      {
-        const ChosenTargets::Target* other = ownOf[o];
-        const double exchanged =
-          other ? leg(target.Object, other->Position) - leg(o, other->Position) : 0.0;
-        longer.emplace_back(o == target.Object ? -Never : leg(o, target.Position) + exchanged, o);
-      }
-    }
-    std::sort(longer.begin(), longer.end());
-    longer.resize(group.Candidates.size() > MostPaired ? std::min(longer.size(), MostTried)
-                                                       : longer.size());
-    for (const auto& [by, o] : longer)
-    {
-      pairs.push_back({ t, o, Never });
-    }
-  }
-  return pairs;
-}
-
-// Where each object was last asked to be before a frame, or its start.
-std::map<int, Vec3> PlacesBefore(const AirContext& run, const std::vector<char>& isOpen, int frame)
-{
-  std::map<int, std::pair<int, Vec3>> last;
-  for (const MotionObject& object : run.Input.Objects)
-  {
-    last[object.ObjectId] = { -1, object.Position };
-  }
-  for (std::size_t i = 0; i < run.Rows.size(); ++i)
-  {
-    const Constraint& row = run.Rows[i];
-    const auto own = last.find(row.ObjectId);
-    if (own != last.end() && !isOpen[i] && IsPositional(row.Kind) && row.Frame < frame &&
-        row.Frame > own->second.first)
-    {
-      own->second = { row.Frame, row.Value };
-    }
-  }
-  std::map<int, Vec3> places;
-  for (const auto& [id, at] : last)
-  {
-    places[id] = at.second;
-  }
-  return places;
-}
-
-void GiveTo(const ChosenTargets::Target& target, int id, std::vector<Constraint>& rows)
-{
-  for (const std::size_t i : target.Rows)
-  {
-    rows[i].ObjectId = id;
-  }
-}
-
-// What each pair costs.
-void Judge(const AirContext& run, const AirSampler& air, const ChosenTargets& group,
-           const std::vector<char>& counts, const std::vector<char>& isOpen,
-           std::vector<Pair>& pairs, Monitor& monitor)
-{
-  const RowsOfObjects places(run.Rows);
-  run.Parallel(pairs.size(),
-               [&](std::size_t begin, std::size_t end)
-               {
-                 for (std::size_t p = begin; p < end && monitor.Tick(-1.0, ""); ++p)
-                 {
-                   Pair& pair = pairs[p];
-                   const ChosenTargets::Target& target = group.Targets[pair.Target];
-                   const MotionObject& object = run.Input.Objects[pair.Object];
-                   const bool has = pair.Object == target.Object;
-                   std::vector<Constraint> rows =
-                     OwnRows(run, places, object.ObjectId, counts, isOpen);
-                   if (!has && IsAsked(rows, target.Frame, target.Until))
-                   {
-                     continue;
-                   }
-                   for (const std::size_t i : target.Rows)
-                   {
-                     rows.push_back(run.Rows[i]);
-                     rows.back().ObjectId = object.ObjectId;
-                   }
-                   const auto track = std::find_if(run.Input.Tracks.begin(), run.Input.Tracks.end(),
-                                                   [&](const Track& own)
-                                                   { return own.ObjectId == object.ObjectId; });
-                   const auto at = static_cast<std::size_t>(track - run.Input.Tracks.begin());
-                   if (at < run.Plans.size())
-                   {
-                     BodyProblem body = ProblemOf(run, object, run.Plans[at], std::move(rows));
-                     std::vector<Vec3> path;
-                     pair.Cost = DriftBy(run, air, body, PairIterations, has, path);
-                   }
-                 }
-               });
-}
-
-// Gives a group's targets out by least cost. By how much of what legs cost they then do.
-double GiveOut(const ChosenTargets& group, const std::vector<Pair>& pairs,
-               const std::vector<MotionObject>& objects, std::vector<Constraint>& rows,
-               int& changed)
-{
-  AssignmentProblem problem(objects.size(),
-                            std::vector<RankedCost>(group.Targets.size(), RankedCost{ 1, 0.0 }));
-  double before = 0.0, after = 0.0;
-  for (const Pair& pair : pairs)
-  {
-    if (pair.Cost < Never)
-    {
-      problem.At(pair.Target, pair.Object) = { 0, pair.Cost };
-    }
-    before += pair.Object == group.Targets[pair.Target].Object ? pair.Cost : 0.0;
-  }
-  const std::vector<int> chosen = AssignLeastCost(problem);
-  if (std::find(chosen.begin(), chosen.end(), -1) != chosen.end())
-  {
-    return 1.0;
-  }
-  for (std::size_t t = 0; t < chosen.size(); ++t)
-  {
-    const auto o = static_cast<std::size_t>(chosen[t]);
-    after += problem.At(t, o).Amount;
-    changed += o != group.Targets[t].Object ? 1 : 0;
-    GiveTo(group.Targets[t], objects[o].ObjectId, rows);
-  }
-  return before > 0.0 ? after / before : 1.0;
 }
 
 std::vector<char> CountingRows(const AirContext& run, const std::vector<ReportRow>& report)
@@ -232,10 +42,100 @@ std::vector<char> CountingRows(const AirContext& run, const std::vector<ReportRo
   return counts;
 }
 
+/// What choosing has brought, over targets.
+struct Chosen
+{
+  int Changed = 0;
+  std::size_t Targets = 0, Passing = 0; // pairs with an obstacle between that no plan was made for
+  bool HasProbes = false;
+  double Share = 0.0, WithoutProbes = 0.0; // of what legs cost
+
+  void Add(const ChosenTargets& group, double share, double withoutProbes)
+  {
+    const auto size = static_cast<double>(group.Targets.size());
+    this->Targets += group.Targets.size();
+    this->Share += size * share;
+    this->WithoutProbes += size * withoutProbes;
+  }
+  std::string Text() const
+  {
+    const auto all = static_cast<double>(this->Targets);
+    std::string text =
+      std::to_string(this->Changed) + " of " + std::to_string(this->Targets) +
+      " marks go to other objects than by the shortest legs; the square of the control falls to " +
+      NumberText(this->Share / all, 2) + " of that";
+    if (this->HasProbes)
+    {
+      text += " (without " + std::to_string(Probes) + " more pairs a mark by chance to " +
+              NumberText(this->WithoutProbes / all, 3) + ")";
+    }
+    if (this->Passing > 0)
+    {
+      text += "; " + std::to_string(this->Passing) +
+              " pairs with an obstacle between were left out: a plan around it is the chain's";
+    }
+    return text;
+  }
+};
+
+// Gives a group's targets out, if all rows that can be met still can.
+Result ChooseIn(const ChosenTargets& group, const Choosing& choosing, AirContext& run,
+                Chosen& chosen)
+{
+  if (group.Candidates.size() > MostChosen)
+  {
+    chosen.Add(group, 1.0, 1.0);
+    return Result::Ok();
+  }
+  std::vector<WhoPair> pairs = JudgedPairs(choosing, group);
+  if (!choosing.Caller.Tick(-1.0, ""))
+  {
+    return Result::Stopped();
+  }
+  if (!run.Input.PlanAround)
+  {
+    chosen.Passing += static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [](const WhoPair& pair) { return pair.Passes; }));
+  }
+  const Giving giving = GiveOut(choosing, group, pairs);
+  const std::vector<Constraint> before = run.Rows;
+  Give(group, giving.Objects, run);
+  const std::vector<ReportRow> judged =
+    JudgeConstraints(run.Rows, run.Input.Objects, run.Obstacles, run.Input.Scene);
+  if (CountingRows(run, judged) != choosing.Counts) // who would have a row cannot meet it
+  {
+    run.Rows = before;
+    chosen.Add(group, 1.0, 1.0);
+    return Result::Ok();
+  }
+  for (std::size_t t = 0; t < giving.Objects.size(); ++t)
+  {
+    chosen.Changed += giving.Objects[t] != group.Targets[t].Object ? 1 : 0;
+  }
+  const bool hasProbes = group.Candidates.size() > MostPaired;
+  chosen.HasProbes = chosen.HasProbes || hasProbes;
+  chosen.Add(group, giving.Share,
+             hasProbes ? GivingOf(group, pairs, run.Input.Objects.size(), false).Share
+                       : giving.Share);
+  return Result::Ok();
+}
+
+void SetOpen(const ChosenTargets& group, char isOpen, Choosing& choosing)
+{
+  for (const ChosenTargets::Target& target : group.Targets)
+  {
+    for (const std::size_t i : target.Rows)
+    {
+      choosing.IsOpen[i] = isOpen;
+    }
+  }
+}
+
 // Who has other rows than the input gives it drifts there; that is its plan.
 void PlanAnew(const AirContext& run, const AirSampler& air, const std::vector<char>& isChanged,
               AirBodies& bodies, std::vector<std::vector<Vec3>>& plans)
 {
+  std::vector<char> passes(bodies.Size(), 0);
   run.Parallel(bodies.Size(),
                [&](std::size_t begin, std::size_t end)
                {
@@ -243,11 +143,37 @@ void PlanAnew(const AirContext& run, const AirSampler& air, const std::vector<ch
                  {
                    if (isChanged[o])
                    {
-                     (void)DriftBy(run, air, bodies.Problems[o], FurtherIterations, false,
-                                   plans[o]);
+                     BodyProblem& body = bodies.Problems[o];
+                     Way way =
+                       LeastDrift(run, air, body, FurtherIterations, OtherStarts(air, body));
+                     passes[o] = way.Passes ? 1 : 0;
+                     plans[o] = std::move(way.Path);
                    }
                  }
                });
+  std::vector<std::size_t> which;
+  std::vector<MotionObject> objects;
+  std::vector<Constraint> rows;
+  for (std::size_t o = 0; run.Input.PlanAround && o < bodies.Size(); ++o)
+  {
+    if (passes[o])
+    {
+      which.push_back(o);
+      objects.push_back(bodies.Problems[o].Object());
+      const std::vector<Constraint>& own = bodies.Problems[o].Rows();
+      std::copy_if(own.begin(), own.end(), std::back_inserter(rows),
+                   [](const Constraint& row) { return row.Row != OfNoRow; });
+    }
+  }
+  if (which.empty())
+  {
+    return;
+  }
+  std::vector<std::vector<Vec3>> around = run.Input.PlanAround(objects, rows);
+  for (std::size_t k = 0; k < which.size(); ++k)
+  {
+    plans[which[k]] = around[k].empty() ? plans[which[k]] : std::move(around[k]);
+  }
 }
 
 } // namespace
@@ -280,63 +206,29 @@ std::vector<std::vector<Vec3>> PlansOf(const AirContext& run)
 
 Result ChooseWho(AirContext& run, AirState& state, AssimilationOutput& output)
 {
-  std::vector<char> counts = CountingRows(run, output.Report);
-  const std::vector<ChosenTargets> groups = CollectChosen(run.Input.Objects, run.Rows, counts);
+  const AirSampler air(state.Sampled.Velocity);
+  PartMonitor monitor(run.Caller, DrawEnd, DrawEnd, "Choosing who goes where by the air");
+  Choosing choosing{ run, air, CountingRows(run, output.Report),
+                     std::vector<char>(run.Rows.size(), 0), monitor };
+  const std::vector<ChosenTargets> groups =
+    CollectChosen(run.Input.Objects, run.Rows, choosing.Counts);
   if (groups.empty())
   {
     return Result::Ok();
   }
-  PartMonitor monitor(run.Caller, DrawEnd, DrawEnd, "Choosing who goes where by the air");
-  const AirSampler air(state.Sampled.Velocity);
-  std::vector<char> isOpen(run.Rows.size(), 0);
   for (const ChosenTargets& group : groups)
   {
-    for (const ChosenTargets::Target& target : group.Targets)
-    {
-      for (const std::size_t i : target.Rows)
-      {
-        isOpen[i] = 1;
-      }
-    }
+    SetOpen(group, 1, choosing);
   }
-  int changed = 0;
-  std::size_t targets = 0;
-  double share = 0.0;
+  Chosen chosen;
   for (const ChosenTargets& group : groups)
   {
-    targets += group.Targets.size();
-    const auto size = static_cast<double>(group.Targets.size());
-    if (group.Candidates.size() <= MostChosen)
+    const Result result = ChooseIn(group, choosing, run, chosen);
+    if (!result || result.IsStopped())
     {
-      std::vector<Pair> pairs =
-        PairsOf(group, run, PlacesBefore(run, isOpen, group.Targets.front().Frame));
-      Judge(run, air, group, counts, isOpen, pairs, monitor);
-      if (!monitor.Tick(-1.0, ""))
-      {
-        return Result::Stopped();
-      }
-      const std::vector<Constraint> before = run.Rows;
-      int own = 0;
-      const double now = GiveOut(group, pairs, run.Input.Objects, run.Rows, own);
-      const std::vector<ReportRow> judged =
-        JudgeConstraints(run.Rows, run.Input.Objects, run.Obstacles, run.Input.Scene);
-      const std::vector<char> still = CountingRows(run, judged);
-      const bool isWorse = still != counts; // a row that cannot be met by who would have it
-      run.Rows = isWorse ? before : run.Rows;
-      changed += isWorse ? 0 : own;
-      share += size * (isWorse ? 1.0 : now);
+      return result;
     }
-    else
-    {
-      share += size;
-    }
-    for (const ChosenTargets::Target& target : group.Targets)
-    {
-      for (const std::size_t i : target.Rows)
-      {
-        isOpen[i] = 0;
-      }
-    }
+    SetOpen(group, 0, choosing);
   }
   std::map<int, std::size_t> trackOf;
   for (std::size_t o = 0; o < run.Input.Tracks.size(); ++o)
@@ -360,10 +252,7 @@ Result ChooseWho(AirContext& run, AirState& state, AssimilationOutput& output)
   run.Plans = std::move(plans);
   WAFT_RETURN_IF_FAILED(SetUpBodies(run, state.Bodies, output));
   AssimilationRound row = RoundOf(run, state, "who");
-  row.Candidate = std::to_string(changed) + " of " + std::to_string(targets) +
-                  " marks go to other objects than by the shortest legs; the square of the control "
-                  "falls to " +
-                  NumberText(share / static_cast<double>(targets), 2) + " of that";
+  row.Candidate = chosen.Text();
   output.Rounds.push_back(row);
   return Result::Ok();
 }
@@ -422,10 +311,7 @@ Result TakeWho(const std::vector<int>& who, const std::vector<std::vector<Vec3>>
     {
       continue; // classes changed: by legs
     }
-    for (std::size_t t = 0; t < objects.size(); ++t)
-    {
-      GiveTo(group.Targets[t], run.Input.Objects[objects[t]].ObjectId, run.Rows);
-    }
+    Give(group, objects, run);
   }
   for (std::size_t o = 0; o < std::min(plans.size(), run.Plans.size()); ++o)
   {

@@ -21,6 +21,7 @@ JOIN = 3  # frames about the end of a glide that another follows
 _ARRAYS = ("Bounds", "FramesPerSecond", "NumberOfFrames", "Seeds", "SettlingSpeeds")
 _MOST_BYTES, _MOST_PLACES = 1 << 30, 20000000  # of a file, and of an air
 RESOLUTION = 64  # voxels along the longest side
+WARM_UP = 15.0  # from rest to air that goes on as it is, of a volume of 4 m: some three to four turnovers [s]
 SHELL_FRAMES = 15  # between two whose energy by shell is taken
 
 
@@ -152,7 +153,7 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
                   progress=None, scene=None, lattice=None):
     """Simulates airs of the database's kind, traces bodies that sink at these speeds [m/s] and writes PATH. scene: a file whose
     obstacles, winds and vortices act on air and bodies; none without. lattice: points (i, j, k) on which the air's energy by shell of
-    wave number is kept besides."""
+    wave number is kept besides. With a scene the air has warmed up to where it goes on as it is, like that of flights."""
     from vtkmodules.vtkFiltersGeneral import vtkPassArrays
     from vtkmodules.vtkFiltersHybrid import vtkTemporalDataSetCache
     from waft import vtkWaftFilters, vtkWaftSources
@@ -172,6 +173,7 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
         smoke.SetSeed(seed + air)
         smoke.SetCacheLimit(64)
         if scene is not None:
+            _warm_up(smoke, sides[:2].max())
             reader = vtkWaftSources.vtkMotionSceneReader()
             reader.SetFileName(os.fspath(scene))
             for port, given in enumerate((2, 5, 4), 1):  # obstacles, wind, vortices
@@ -204,6 +206,16 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
     np.savez_compressed(made, **content)
     with whole_file(path, is_marked_zip) as part:
         write_bytes(part, marked_zip(made.getvalue()))
+
+
+def _warm_up(smoke, width):
+    """Has the air of a vtkGridSmokeSource come to rest no more, by its random forces at the rate at which they are."""
+    felt = smoke.GetNumberOfFrames() / smoke.GetFramesPerSecond()
+    longer = WARM_UP * np.sqrt(width / 4.0)
+    rate = (longer + felt) / (smoke.GetWarmUpSeconds() + felt)
+    smoke.SetNumberOfVortices(int(round(smoke.GetNumberOfVortices() * rate)))
+    smoke.SetNumberOfWinds(int(round(smoke.GetNumberOfWinds() * rate)))
+    smoke.SetWarmUpSeconds(longer)
 
 
 def _shells_of(smoke, bounds, lattice, times):

@@ -7,6 +7,7 @@ from waft.scene._kinds import POSITION, REST
 LAST = 1.0  # before a mark, when bodies are let go [s]
 BEFORE_TOUCH = 0.8  # the mark of a rest: where its body is then [s]
 AFTER_LIFT = 0.6  # and when one that lay is let go again [s]
+NEAR = 0.13  # of another's centre or of the floor, where bodies are held off besides [m]
 ROUNDS = 12  # of the mid-point rule; a step's error falls by |grad u| dt / 2 in each
 
 
@@ -79,6 +80,29 @@ def _missed(run, air, is_free, flown):
         for number in path[frame + 1]:
             found.append(np.linalg.norm(places[number] - flights.positions[bodies[number], frame + 1]) / run.width)
     return np.array(found)
+
+
+def control(run, air):
+    """What moves bodies half way through their free steps beside the air and their slip, over the rms of the air's velocity there: of all
+    of them, and of those away from others and the floor; and the share of steps near these. NaN without any."""
+    flights = run.flights
+    slip = 0.5 * (flights.own()[:, 1:] + flights.own()[:, :-1])
+    squares, flows, nears = [np.zeros(0)], [np.zeros(0)], [np.zeros(0, bool)]
+    for frame in range(flights.positions.shape[1] - 1):
+        free = np.flatnonzero(run.arrays["Free"][:, frame])
+        ends = flights.positions[:, frame:frame + 2]
+        middle = ends.mean(axis=1)
+        given = air.at(middle[free], (frame + 0.5) / flights.rate)
+        lacking = (ends[free, 1] - ends[free, 0]) * flights.rate - given - slip[free, frame]
+        own = np.sum(middle**2, axis=1)
+        apart = own[free, None] + own - 2.0 * middle[free] @ middle.T
+        apart[np.arange(len(free)), free] = np.inf
+        squares.append(np.sum(lacking**2, axis=1))
+        flows.append(np.sum(given**2, axis=1))
+        nears.append((apart.min(axis=1, initial=np.inf) < NEAR**2) | (middle[free, 2] - run.bounds[4] < NEAR))
+    squares, flows, nears = map(np.concatenate, (squares, flows, nears))
+    return [float(np.sqrt(squares[mask].mean() / flows.mean())) if mask.any() and flows.any() else float("nan")
+            for mask in (np.ones_like(nears), ~nears)] + [float(nears.mean()) if len(nears) else float("nan")]
 
 
 def rush(run, air):

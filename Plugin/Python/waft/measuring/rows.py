@@ -17,7 +17,7 @@ from waft.measuring._drifters import Drifters, gliding, make_drifters
 from waft.measuring._facings import facings
 from waft.measuring._flights import rms
 from waft.measuring._gliding import APART, glides, near_pairs
-from waft.measuring._letgo import misses, rush, sinking
+from waft.measuring._letgo import NEAR, control, misses, rush, sinking
 from waft.measuring._legibility import FILES as READABLE, legibility, read_drawings
 from waft.measuring._meshcuts import FILES
 from waft.measuring._runs import TRACKS, largest_residual, read_run
@@ -330,7 +330,10 @@ def _let_go(runs, air):
             Row("replay_whole_90", "let go at the start and at lift-offs: 90th percentile"),
             Row("rush", "rush: correction in the last second before marks over its mean", wanted=(-math.inf, 1.8)),
             Row("sinking", "sinking: speed down 0.5 to 2 s after the last mark over settling", wanted=(0.8, 1.2)),
-            Row("poses_off", "poses.vtp off these tracks in flight: largest over L")]
+            Row("poses_off", "poses.vtp off these tracks in flight: largest over L"),
+            Row("control", f"control half way through steps over the flow, {NEAR:g} m off others and floor", wanted=(0.0, 0.02)),
+            Row("control_all", "control half way through steps over the flow: of all free steps"),
+            Row("control_near", "control: share of free steps that are nearer")]
     run, frames = runs[0], runs[0].flights.positions.shape[1]
     why = ("see each folder" if len(runs) > 1 else "the tracks have no array Free: --tracks assimilated" if "Free" not in run.arrays else
            "no air.pvd" if air is None else "air.pvd has not every frame: fly with --keep air" if len(air.times) != frames else "")
@@ -351,6 +354,7 @@ def _let_go(runs, air):
     late, mean = rush(run, air)
     rows[4].value = _ratio(late, mean)
     rows[4].why = "the Air has no array Wind" if not air.wind else rows[4].why
+    rows[8].value, rows[7].value, rows[9].value = control(run, air)
     return rows
 
 

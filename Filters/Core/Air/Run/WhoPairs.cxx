@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/WhoPairs.h"
+
+#include "Air/Run/AirSetup.h"
+#include "Base/Random.h"
+#include "Constraints/LeastCost.h"
+#include "Constraints/RowsOfObjects.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+constexpr std::size_t MostTried = 24; // objects a target, of more than are paired with all
+constexpr std::uint64_t ProbeStream = 0x77686f;
+constexpr int PairIterations = 6; // of each start
+constexpr int MostPlannings = 6;  // of pairs with an obstacle between, in a group
+constexpr double Never = std::numeric_limits<double>::infinity();
+
+/// Of the rows of an object that count beside those that are open still.
+std::vector<Constraint> OwnRows(const AirContext& run, const RowsOfObjects& places, int id,
+                                const std::vector<char>& counts, const std::vector<char>& isOpen)
+{
+  std::vector<Constraint> rows;
+  for (const std::size_t i : places.Of(id))
+  {
+    if (counts[i] && !isOpen[i])
+    {
+      rows.push_back(run.Rows[i]);
+    }
+  }
+  return rows;
+}
+
+bool IsAsked(const std::vector<Constraint>& rows, int frame, int until)
+{
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const Constraint& row) {
+                       return IsPositional(row.Kind) && row.Frame <= until &&
+                              LastFrame(row) >= frame;
+                     });
+}
+
+// Where each object was last asked to be before a frame, or its start.
+std::map<int, Vec3> PlacesBefore(const AirContext& run, const std::vector<char>& isOpen, int frame)
+{
+  std::map<int, std::pair<int, Vec3>> last;
+  for (const MotionObject& object : run.Input.Objects)
+  {
+    last[object.ObjectId] = { -1, object.Position };
+  }
+  for (std::size_t i = 0; i < run.Rows.size(); ++i)
+  {
+    const Constraint& row = run.Rows[i];
+    const auto own = last.find(row.ObjectId);
+    if (own != last.end() && !isOpen[i] && IsPositional(row.Kind) && row.Frame < frame &&
+        row.Frame > own->second.first)
+    {
+      own->second = { row.Frame, row.Value };
+    }
+  }
+  std::map<int, Vec3> places;
+  for (const auto& [id, at] : last)
+  {
+    places[id] = at.second;
+  }
+  return places;
+}
+
+// The pairs that are tried: all, or of each target those objects with which an exchange makes the
+// legs of both least longer, and some by chance.
+std::vector<WhoPair> PairsOf(const ChosenTargets& group, const AirContext& run,
+                             const std::map<int, Vec3>& places)
+{
+  std::vector<WhoPair> pairs;
+  const std::vector<MotionObject>& objects = run.Input.Objects;
+  const auto leg = [&](std::size_t o, const Vec3& to)
+  { return (to - places.at(objects[o].ObjectId)).norm(); };
+  std::vector<const ChosenTargets::Target*> ownOf(objects.size(), nullptr);
+  for (const ChosenTargets::Target& target : group.Targets)
+  {
+    ownOf[target.Object] = &target;
+  }
+  for (std::size_t t = 0; t < group.Targets.size(); ++t)
+  {
+    const ChosenTargets::Target& target = group.Targets[t];
+    std::vector<std::pair<double, std::size_t>> longer;
+    for (const std::size_t o : group.Candidates)
+    {
+      if (target.ClassId < 0 || target.ClassId == objects[o].ClassId)
+      {
+        const ChosenTargets::Target* other = ownOf[o];
+        const double exchanged =
+          other ? leg(target.Object, other->Position) - leg(o, other->Position) : 0.0;
+        longer.emplace_back(o == target.Object ? -Never : leg(o, target.Position) + exchanged, o);
+      }
+    }
+    std::sort(longer.begin(), longer.end());
+    const std::size_t tried =
+      group.Candidates.size() > MostPaired ? std::min(longer.size(), MostTried) : longer.size();
+    Random random(run.Input.Scene.Seed, ProbeStream + t);
+    for (std::size_t k = tried; k < std::min(longer.size(), tried + Probes); ++k)
+    {
+      std::swap(longer[k], longer[k + random.Index(static_cast<std::uint32_t>(longer.size() - k))]);
+    }
+    for (std::size_t k = 0; k < std::min(longer.size(), tried + Probes); ++k)
+    {
+      pairs.push_back({ t, longer[k].second, Never, false, k >= tried });
+    }
+  }
+  return pairs;
+}
+
+// The rows that the object of a pair would have; none where it is asked for elsewhere meanwhile.
+std::vector<Constraint> RowsOf(const Choosing& choosing, const ChosenTargets& group,
+                               const RowsOfObjects& places, const WhoPair& pair)
+{
+  const AirContext& run = choosing.Run;
+  const ChosenTargets::Target& target = group.Targets[pair.Target];
+  const int id = run.Input.Objects[pair.Object].ObjectId;
+  std::vector<Constraint> rows = OwnRows(run, places, id, choosing.Counts, choosing.IsOpen);
+  if (pair.Object != target.Object && IsAsked(rows, target.Frame, target.Until))
+  {
+    return {};
+  }
+  for (const std::size_t i : target.Rows)
+  {
+    rows.push_back(run.Rows[i]);
+    rows.back().ObjectId = id;
+  }
+  return rows;
+}
+
+// Of an object by index; objects of the input have no track where they do not fly.
+std::size_t TrackOf(const AirContext& run, std::size_t object)
+{
+  const std::vector<Track>& tracks = run.Input.Tracks;
+  const int id = run.Input.Objects[object].ObjectId;
+  const auto found = std::find_if(tracks.begin(), tracks.end(),
+                                  [id](const Track& own) { return own.ObjectId == id; });
+  return static_cast<std::size_t>(found - tracks.begin());
+}
+
+// What each pair costs.
+void Judge(const Choosing& choosing, const ChosenTargets& group, std::vector<WhoPair>& pairs)
+{
+  const AirContext& run = choosing.Run;
+  const RowsOfObjects places(run.Rows);
+  run.Parallel(
+    pairs.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t p = begin; p < end && choosing.Caller.Tick(-1.0, ""); ++p)
+      {
+        WhoPair& pair = pairs[p];
+        const bool has = pair.Object == group.Targets[pair.Target].Object;
+        std::vector<Constraint> rows = RowsOf(choosing, group, places, pair);
+        const std::size_t track = TrackOf(run, pair.Object);
+        if (!rows.empty() && track < run.Plans.size())
+        {
+          BodyProblem body =
+            ProblemOf(run, run.Input.Objects[pair.Object], run.Plans[track], std::move(rows));
+          const Way way = has ? LeastDrift(run, choosing.Air, body, PairIterations,
+                                           body.Starts(choosing.Air, 0), Obstacles::MayBePassed)
+                              : LeastDrift(run, choosing.Air, body, PairIterations,
+                                           OtherStarts(choosing.Air, body));
+          pair.Passes = way.Passes;
+          pair.Cost = way.Passes ? LeastDrift(run, choosing.Air, body, PairIterations,
+                                              OtherStarts(choosing.Air, body), Obstacles::NotThere)
+                                     .Cost
+                                 : way.Cost;
+        }
+      }
+    });
+}
+
+// Pairs with an obstacle between, from plans around it; without a plan they are none.
+void PlanPairs(const Choosing& choosing, const ChosenTargets& group,
+               const std::vector<WhoPair*>& pairs)
+{
+  const AirContext& run = choosing.Run;
+  const RowsOfObjects places(run.Rows);
+  std::vector<MotionObject> objects;
+  std::vector<Constraint> rows;
+  for (const WhoPair* pair : pairs)
+  {
+    objects.push_back(run.Input.Objects[pair->Object]);
+    const std::vector<Constraint> own = RowsOf(choosing, group, places, *pair);
+    rows.insert(rows.end(), own.begin(), own.end());
+  }
+  const std::vector<std::vector<Vec3>> plans = run.Input.PlanAround(objects, rows);
+  run.Parallel(pairs.size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t p = begin; p < end; ++p)
+                 {
+                   Way way;
+                   if (!plans[p].empty())
+                   {
+                     BodyProblem body = ProblemOf(run, objects[p], plans[p],
+                                                  RowsOf(choosing, group, places, *pairs[p]));
+                     way = LeastDrift(run, choosing.Air, body, PairIterations, { plans[p] });
+                   }
+                   pairs[p]->Cost = way.Passes ? Never : way.Cost;
+                   pairs[p]->Passes = false;
+                 }
+               });
+}
+
+} // namespace
+
+Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, int iterations,
+               std::vector<std::vector<Vec3>> starts, Obstacles obstacles)
+{
+  SetLatestTouchDowns(run.Search, body);
+  DriftProblem problem = body.In(air);
+  problem.TooNear = obstacles == Obstacles::NotThere ? nullptr : problem.TooNear;
+  Way least;
+  for (std::vector<Vec3>& path : starts)
+  {
+    const double cost = SolveDrift(problem, air, run.Search.Weights, iterations, path).Cost;
+    const bool passes =
+      obstacles == Obstacles::InTheWay && run.FromSolids && body.PassesThrough(path);
+    const bool isBetter = passes == least.Passes ? cost < least.Cost : least.Passes;
+    if (least.Cost == Never || isBetter)
+    {
+      least = { cost, passes, std::move(path) };
+    }
+  }
+  return least;
+}
+
+std::vector<std::vector<Vec3>> OtherStarts(const AirSampler& air, const BodyProblem& body)
+{
+  std::vector<std::vector<Vec3>> starts = body.Starts(air, 0);
+  starts.erase(starts.begin());
+  return starts;
+}
+
+std::vector<WhoPair> JudgedPairs(const Choosing& choosing, const ChosenTargets& group)
+{
+  std::vector<WhoPair> pairs = PairsOf(
+    group, choosing.Run, PlacesBefore(choosing.Run, choosing.IsOpen, group.Targets.front().Frame));
+  Judge(choosing, group, pairs);
+  return pairs;
+}
+
+Giving GivingOf(const ChosenTargets& group, const std::vector<WhoPair>& pairs, std::size_t objects,
+                bool probes)
+{
+  AssignmentProblem problem(objects,
+                            std::vector<RankedCost>(group.Targets.size(), RankedCost{ 1, 0.0 }));
+  double before = 0.0, after = 0.0;
+  for (const WhoPair& pair : pairs)
+  {
+    if (pair.Cost < Never && (probes || !pair.IsProbe))
+    {
+      problem.At(pair.Target, pair.Object) = { 0, pair.Cost };
+    }
+    before += pair.Object == group.Targets[pair.Target].Object ? pair.Cost : 0.0;
+  }
+  const std::vector<int> chosen = AssignLeastCost(problem);
+  if (std::count(chosen.begin(), chosen.end(), -1) > 0)
+  {
+    return {};
+  }
+  Giving giving;
+  giving.Objects.assign(chosen.begin(), chosen.end());
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+  {
+    after += problem.At(t, giving.Objects[t]).Amount;
+  }
+  giving.Share = before > 0.0 ? after / before : 1.0;
+  return giving;
+}
+
+// What a pair with an obstacle between costs is known by a plan alone, and but a bound before:
+// those that would be taken are planned, and it is given out anew.
+Giving GiveOut(const Choosing& choosing, const ChosenTargets& group, std::vector<WhoPair>& pairs)
+{
+  const std::size_t objects = choosing.Run.Input.Objects.size();
+  for (int k = 0; choosing.Run.Input.PlanAround && k < MostPlannings; ++k)
+  {
+    const Giving giving = GivingOf(group, pairs, objects, true);
+    std::vector<WhoPair*> taken;
+    for (WhoPair& pair : pairs)
+    {
+      if (pair.Passes && !giving.Objects.empty() && giving.Objects[pair.Target] == pair.Object)
+      {
+        taken.push_back(&pair);
+      }
+    }
+    if (taken.empty())
+    {
+      return giving;
+    }
+    PlanPairs(choosing, group, taken);
+  }
+  for (WhoPair& pair : pairs)
+  {
+    pair.Cost = pair.Passes ? Never : pair.Cost;
+  }
+  return GivingOf(group, pairs, objects, true);
+}
+
+} // namespace waft
