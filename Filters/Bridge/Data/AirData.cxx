@@ -7,6 +7,7 @@
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
 
+#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -36,6 +37,10 @@ void AddControls(const AssimilationOutput& air, vtkPolyData* tracks)
 {
   AddVectors(tracks->GetPointData(), names::Control, Joined(air.Controls));
   AddBytes(tracks->GetPointData(), names::Free, Joined(air.Free));
+  if (!air.ResponseTimes.empty())
+  {
+    AddDoubles(tracks->GetCellData(), names::ResponseTime, air.ResponseTimes);
+  }
 }
 
 void AirToImage(const HalfSeries& air, const HalfSeries& wind, double time, const SceneInfo& info,

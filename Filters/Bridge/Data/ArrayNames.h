@@ -34,6 +34,7 @@ constexpr const char* Force = "Force";
 constexpr const char* AirVelocity = "AirVelocity";
 constexpr const char* Control = "Control"; // of assimilated tracks
 constexpr const char* Free = "Free";       // likewise
+constexpr const char* ResponseTime = "ResponseTime";
 constexpr const char* SPHVelocity = "SPHVelocity";
 constexpr const char* ObjectId = "ObjectId";
 constexpr const char* Orientation = "Orientation";

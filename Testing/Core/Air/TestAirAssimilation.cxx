@@ -249,6 +249,47 @@ TEST(AirAssimilation, MeetsEveryRowAndLowersTheControl)
   EXPECT_LT(output.Rounds.back().Control, 0.5 * drifting);
 }
 
+TEST(AirAssimilation, BodiesWithInertiaGoInTheAirThatIsLeft)
+{
+  AssimilationInput input = Leaves();
+  AssimilationOptions options = Small();
+  options.Inertia = true;
+  const AssimilationOutput output = Assimilated(input, options);
+  ASSERT_EQ(output.ResponseTimes.size(), 6u);
+  const double response = output.ResponseTimes[3];
+  EXPECT_NEAR(response, 0.5 / 9.80665, 1e-9);
+  EXPECT_EQ(output.Tracks[3].Positions[30], input.Constraints[3].Value);
+  // From half a second before its mark on, by the law alone.
+  const HalfSeries& air = output.Air->Velocity;
+  const double dt = 1.0 / 30.0;
+  const auto given = [&](int step, const Vec3& x)
+  {
+    const double times[] = { step * dt, (step + 1) * dt };
+    return Vec3(
+      0.5 * (air.Around(times[0]).Sample(x, times[0]) + air.Around(times[1]).Sample(x, times[1])) -
+      0.5 * Vec3::UnitZ());
+  };
+  const std::vector<Vec3>& path = output.Tracks[3].Positions;
+  const double e = std::exp(-dt / response);
+  const double now = 1.0 - response / dt * (1.0 - e);
+  Vec3 x = path[15], velocity = (path[15] - path[14]) / dt;
+  Vec3 before = given(14, 0.5 * (path[14] + path[15]));
+  for (int k = 15; k < 30; ++k)
+  {
+    Vec3 next = velocity, there;
+    for (int i = 0; i < 20; ++i)
+    {
+      there = given(k, x + 0.5 * dt * next);
+      next = e * velocity + (1.0 - e - now) * before + now * there;
+    }
+    velocity = next;
+    before = there;
+    x += dt * velocity;
+  }
+  EXPECT_LT((x - path[30]).norm(), 0.01);
+  EXPECT_LT(output.Rounds.back().Control, 0.2 * output.Rounds.back().Flow);
+}
+
 TEST(AirAssimilation, LetsEachBodyLieWhenItsDriftComesDown)
 {
   const AssimilationOutput output = Assimilated(Leaves(), Small());

@@ -103,14 +103,22 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
       KeepCheckpoint(run, state, output, checkpoint);
     }
   }
-  while (!result.IsStopped() && GoesOn(run, state, output))
+  while (!result.IsStopped() && (!state.Plain.IsEmpty() || GoesOn(run, state, output)))
   {
-    HalfSeries plain = state.Sampled.Velocity;
-    result = AddWind(run, true, state, output);
-    WAFT_RETURN_IF_FAILED(result);
+    if (state.Plain.IsEmpty())
+    {
+      HalfSeries plain = state.Sampled.Velocity;
+      result = AddWind(run, true, state, output);
+      WAFT_RETURN_IF_FAILED(result);
+      if (!result.IsStopped())
+      {
+        state.Plain = std::move(plain);
+        KeepCheckpoint(run, state, output, checkpoint);
+      }
+    }
     if (!result.IsStopped())
     {
-      result = SimulateAgain(run, std::move(plain), state, output);
+      result = SimulateAgain(run, std::exchange(state.Plain, HalfSeries()), state, output);
     }
     WAFT_RETURN_IF_FAILED(result);
     if (!result.IsStopped())

@@ -238,6 +238,8 @@ struct AssimilationOutput
   std::vector<std::vector<Vec3>> Controls; // by track and frame [m/s]
   /// By track and frame: 1 where the step from it is flown by the air and the slip alone.
   std::vector<std::vector<unsigned char>> Free;
+  /// By track: how long a body with inertia takes to come after the air [s]; else none.
+  std::vector<double> ResponseTimes;
   std::shared_ptr<const SampledAir> Air = std::make_shared<SampledAir>();
   std::vector<Vortex> Vortices;        // all that stir the air
   std::vector<Constraint> Constraints; // with TouchDown and LiftOff

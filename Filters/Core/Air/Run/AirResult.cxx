@@ -94,6 +94,11 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
                             output.Free[o]);
                  }
                });
+  output.ResponseTimes.clear();
+  for (std::size_t o = 0; run.Options.Inertia && o < bodies.Size(); ++o)
+  {
+    output.ResponseTimes.push_back(bodies.Problems[o].In(air).ResponseTime);
+  }
   const RowsOfObjects places(output.Constraints);
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {

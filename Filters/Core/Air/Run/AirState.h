@@ -46,6 +46,7 @@ struct AirState
   AirScene Scene;        // what makes the air: the forces are those drawn
   SmokeState Begun;      // the air of the first frame, before any wind of ours
   SampledAir Sampled;    // the air as it is
+  HalfSeries Plain;      // before the correction that waits to be simulated; or empty
   AirBodies Bodies;
 };
 

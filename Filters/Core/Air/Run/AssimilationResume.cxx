@@ -105,6 +105,7 @@ void KeepCheckpoint(const AirContext& run, const AirState& state, const Assimila
   kept.Rounds = state.Rounds;
   kept.Begun = state.Begun;
   kept.Air = { std::shared_ptr<void>(), &state.Sampled }; // for the time of the writing
+  kept.Plain = { std::shared_ptr<void>(), &state.Plain };
   checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); });
 }
 
@@ -132,6 +133,7 @@ bool Resume(AirContext& run, CheckpointFile& checkpoint, AirState& state,
   }
   state.Rounds = kept.Rounds;
   state.Begun = std::move(kept.Begun);
+  state.Plain = *kept.Plain;
   return true;
 }
 

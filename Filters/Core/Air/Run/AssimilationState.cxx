@@ -80,6 +80,7 @@ void WriteState(StateArchive& file, const AssimilationState& state, const Parall
   file.Values(state);
   WriteSeries(file, state.Air->Velocity, parallel);
   WriteSeries(file, state.Air->Wind, parallel);
+  WriteSeries(file, *state.Plain, parallel);
 }
 
 void ReadState(StateArchive& file, AssimilationState& state)
@@ -88,7 +89,10 @@ void ReadState(StateArchive& file, AssimilationState& state)
   file.Values(state);
   ReadSeries(file, air->Velocity);
   ReadSeries(file, air->Wind);
+  const auto plain = std::make_shared<HalfSeries>();
+  ReadSeries(file, *plain);
   state.Air = air;
+  state.Plain = plain;
 }
 
 Result WriteState(const std::string& path, const AssimilationState& state,

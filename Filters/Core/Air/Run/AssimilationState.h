@@ -55,6 +55,8 @@ struct AssimilationState
   SmokeForces Forces; // but for the wind, which is the input's
   SmokeState Begun;   // of a run that goes on
   std::shared_ptr<const SampledAir> Air = std::make_shared<SampledAir>();
+  /// Before the correction that waits to be simulated, of a run that goes on; or empty.
+  std::shared_ptr<const HalfSeries> Plain = std::make_shared<HalfSeries>();
   std::vector<std::vector<Vec3>> Paths;
   std::vector<PoseTrack> Poses;             // or empty
   std::vector<std::vector<int>> TouchDowns; // one a landing
@@ -63,7 +65,7 @@ struct AssimilationState
   std::vector<int> Who;                 // Row, Target, ObjectId of each row whose object was chosen
   std::vector<std::vector<Vec3>> Plans; // of tracks that are not planned as the input has it
 
-  /// All but the Air, whose bytes are packed.
+  /// All but the airs, whose bytes are packed.
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
@@ -86,7 +88,7 @@ struct AssimilationState
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-inline constexpr StateKind AssimilationKind = { "assimilation", 7 };
+inline constexpr StateKind AssimilationKind = { "assimilation", 8 };
 
 void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel);
 void ReadSeries(StateArchive& stream, HalfSeries& series);

@@ -51,11 +51,29 @@ def misses(run, air):
     return _missed(run, air, is_free, last), _missed(run, air, is_free, found)
 
 
-def _missed(run, air, is_free, flown):
-    """Of bodies [(object, frame at which it is let go, frames of its marks)]: each step by the implicit mid-point rule, in the mean of
-    both frames' air and slip; where a step is not free they are where the track is."""
+def _law(run):
+    """(e, b0, b1) [object, 1] of v_k = e v_k-1 + b0 w_k-1 + b1 w_k, the velocity in a step of a body in air that with its slip gives it w:
+    (0, 0, 1) where it has no inertia."""
+    steps = np.maximum(run.arrays.get("ResponseTime", np.zeros(len(run.ids))), 1e-9)[:, None] * run.flights.rate
+    kept = np.exp(-1.0 / steps)
+    now = 1.0 - steps * (1.0 - kept)
+    return kept, 1.0 - kept - now, now
+
+
+def _given(run, air):
+    """By step: velocities along the tracks, and what the air half way and the mean slip of both frames give there [object, 3]."""
     flights = run.flights
     slip = 0.5 * (flights.own()[:, 1:] + flights.own()[:, :-1])
+    for frame in range(flights.positions.shape[1] - 1):
+        ends = flights.positions[:, frame:frame + 2]
+        given = air.at(ends.mean(axis=1), (frame + 0.5) / flights.rate)
+        yield frame, (ends[:, 1] - ends[:, 0]) * flights.rate, given, slip[:, frame]
+
+
+def _missed(run, air, is_free, flown):
+    """Of bodies [(object, frame at which it is let go, frames of its marks)]: each step by the implicit mid-point rule, in the mean of
+    both frames' air and slip, those with inertia by its exact step; where a step is not free they are where the track is."""
+    flights, (kept, past, now) = run.flights, _law(run)
     dt = 1.0 / flights.rate
     bodies = np.array([index for index, _, _ in flown], int)
     starts = np.array([start for _, start, _ in flown], int)
@@ -65,18 +83,27 @@ def _missed(run, air, is_free, flown):
         for mark in marks:
             path[mark].append(number)
     places = flights.positions[bodies, starts] if len(bodies) else np.zeros((0, 3))
+    velocity, given = np.zeros_like(places), np.zeros_like(places)
     found = []
-    for frame in range(flights.positions.shape[1] - 1):
+    for frame, track, there, slip in _given(run, air):
         going = np.flatnonzero((starts <= frame) & (frame < ends))
         free = going[is_free[bodies[going], frame]]
         held = going[~is_free[bodies[going], frame]]
-        places[held] = flights.positions[bodies[held], frame + 1]
+        begin = np.flatnonzero(starts == frame + 1)
+        for which in (held, begin):  # these go the track's way, or did
+            places[which] = flights.positions[bodies[which], frame + 1]
+            velocity[which], given[which] = track[bodies[which]], (there + slip)[bodies[which]]
         if len(free):
-            before = places[free]
+            own, before = bodies[free], places[free]
+            first = (starts[free] == 0) & (frame == 0)
+            share = np.where(first[:, None], 1.0, now[own])
+            coming = np.where(first[:, None], 0.0, kept[own] * velocity[free] + past[own] * given[free])
             after = before
             for _ in range(ROUNDS):
-                after = before + dt * (air.at(0.5 * (before + after), (frame + 0.5) * dt) + slip[bodies[free], frame])
+                wind = air.at(0.5 * (before + after), (frame + 0.5) * dt) + slip[own]
+                after = before + dt * (coming + share * wind)
             places[free] = after
+            velocity[free], given[free] = (after - before) / dt, wind
         for number in path[frame + 1]:
             found.append(np.linalg.norm(places[number] - flights.positions[bodies[number], frame + 1]) / run.width)
     return np.array(found)
@@ -85,20 +112,20 @@ def _missed(run, air, is_free, flown):
 def control(run, air):
     """What moves bodies half way through their free steps beside the air and their slip, over the rms of the air's velocity there: of all
     of them, and of those away from others and the floor; and the share of steps near these. NaN without any."""
-    flights = run.flights
-    slip = 0.5 * (flights.own()[:, 1:] + flights.own()[:, :-1])
+    kept, past, now = _law(run)
     squares, flows, nears = [np.zeros(0)], [np.zeros(0)], [np.zeros(0, bool)]
-    for frame in range(flights.positions.shape[1] - 1):
+    last = None
+    for frame, velocity, given, slip in _given(run, air):
+        wind = given + slip
+        lacking = velocity - wind if last is None else (velocity - kept * last[0] - past * last[1] - now * wind) / (1.0 - kept)
+        last = velocity, wind
         free = np.flatnonzero(run.arrays["Free"][:, frame])
-        ends = flights.positions[:, frame:frame + 2]
-        middle = ends.mean(axis=1)
-        given = air.at(middle[free], (frame + 0.5) / flights.rate)
-        lacking = (ends[free, 1] - ends[free, 0]) * flights.rate - given - slip[free, frame]
+        middle = run.flights.positions[:, frame:frame + 2].mean(axis=1)
         own = np.sum(middle**2, axis=1)
         apart = own[free, None] + own - 2.0 * middle[free] @ middle.T
         apart[np.arange(len(free)), free] = np.inf
-        squares.append(np.sum(lacking**2, axis=1))
-        flows.append(np.sum(given**2, axis=1))
+        squares.append(np.sum(lacking[free]**2, axis=1))
+        flows.append(np.sum(given[free]**2, axis=1))
         nears.append((apart.min(axis=1, initial=np.inf) < NEAR**2) | (middle[free, 2] - run.bounds[4] < NEAR))
     squares, flows, nears = map(np.concatenate, (squares, flows, nears))
     return [float(np.sqrt(squares[mask].mean() / flows.mean())) if mask.any() and flows.any() else float("nan")

@@ -82,14 +82,16 @@ def read_run(folder, tracks="optimized"):
 
 
 def _tracks(path, data):
-    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3], Free [object, frame], and where bodies glide
-    Orientation [object, frame, 4] and AngularVelocity."""
+    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3], Free [object, frame], where bodies glide
+    Orientation [object, frame, 4] and AngularVelocity, and where they have inertia ResponseTime [object]."""
     ids, order = polylines(data, path, LEAST_FRAMES)
     columns = data.GetPointData()
     arrays = {name: array_of(columns, name, path, 3, high=np.inf, low=-np.inf)[order] for name in ("AirVelocity", "Control", "Residual", "Slip")
               if columns.HasArray(name)}
     if columns.HasArray("Slip") and columns.HasArray("Orientation") and columns.HasArray("AngularVelocity"):
         arrays.update(Orientation=array_of(columns, "Orientation", path, 4)[order], AngularVelocity=array_of(columns, "AngularVelocity", path, 3)[order])
+    if data.GetCellData().HasArray("ResponseTime"):
+        arrays["ResponseTime"] = array_of(data.GetCellData(), "ResponseTime", path, low=0.0)
     if columns.HasArray("Free"):
         arrays["Free"] = array_of(columns, "Free", path, kind=int, low=0, high=1)[order] > 0
     return ids, points_of(data, path)[order], arrays
