@@ -239,7 +239,7 @@ TEST(WindCorrection, IsWhatKrigingWithItsCovarianceGives)
   for (int s = 0; s < 8; ++s)
   {
     const Vec3 x = s < 2 ? samples[1].Positions[static_cast<std::size_t>(s)] : random.InBox(Volume);
-    EXPECT_LT((wind.At(x, 4.0) - plain.At(x, 4.0)).norm(), 0.01);
+    EXPECT_LT((wind.At(x, 4.0) - plain.At(x, 4.0)).norm(), 0.4 * error);
   }
 }
 

@@ -18,7 +18,7 @@ constexpr double EddyTime = 2.0 / 3.0;  // power of its size
 constexpr double WithinSpacing = 1.15;  // spacings, at which a scale's structure function is full
 constexpr std::size_t StructureAt = 16; // frames
 constexpr double LeastShare = 1e-3;     // of the variance, that a scale has
-constexpr double Converged = 1e-2;      // of what the gradient was
+constexpr double Converged = 3e-3;      // of what the gradient was, by the diagonal
 constexpr std::size_t Parts = 16;       // of the frames, each for a thread
 
 /// Mean square of the differences of one component between points so far apart along an axis
@@ -352,8 +352,8 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     }
   }
   const double weight = 1.0 / (error * error);
-  const auto addFrame =
-    [&](std::size_t f, const std::vector<double>& a, bool lessValues, Part& part)
+  // add(scale, place, instant, rows, part): of each sample and scale.
+  const auto visit = [&](std::size_t f, const auto& before, const auto& add, Part& part)
   {
     const WindSamples& at = samples[f];
     std::vector<WindSplines::Instant> instants;
@@ -365,23 +365,21 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     std::vector<WindSplines::Rows> rows(levels);
     for (std::size_t s = 0; s < at.Positions.size(); ++s)
     {
-      Vec3 wind = lessValues ? Vec3(-at.Values[s]) : Vec3::Zero();
       for (std::size_t l = 0; l < levels; ++l)
       {
         places[l] = this->Scales[l].At(at.Positions[s]);
         places[l].Hold = this->Distance ? this->HoldOf(l, near[f][s]) : WindHold();
         rows[l] = touched.RowsOf(l, this->Scales[l].NodesOf(places[l]), instants[l].First);
-        wind += WindSplines::Curl(places[l], instants[l], rows[l], a.data());
       }
+      const Vec3 value = before(at.Values[s], places, instants, rows);
       for (std::size_t l = 0; l < levels; ++l)
       {
-        WindSplines::AddCurl(places[l], instants[l], rows[l], weight * wind,
-                             part.Sums.data() + part.Own[l], part.Begin[l]);
+        add(value, places[l], instants[l], rows[l], part.Sums.data() + part.Own[l], part.Begin[l]);
       }
     }
   };
-  // result = M^T weight (M a - values) + a
-  const auto apply = [&](const std::vector<double>& a, bool lessValues, std::vector<double>& result)
+  // To result, what all samples add.
+  const auto sumUp = [&](const auto& before, const auto& add, std::vector<double>& result)
   {
     parallel(parts.size(),
              [&](std::size_t begin, std::size_t end)
@@ -392,11 +390,10 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
                  std::fill(part.Sums.begin(), part.Sums.end(), 0.0);
                  for (std::size_t f = part.First; f <= part.Last; ++f)
                  {
-                   addFrame(f, a, lessValues, part);
+                   visit(f, before, add, part);
                  }
                }
              });
-    result = a;
     for (const Part& part : parts)
     {
       for (std::size_t l = 0; l < levels; ++l)
@@ -408,6 +405,33 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
       }
     }
   };
+  // result = M^T weight (M a - values) + a
+  const auto apply = [&](const std::vector<double>& a, bool lessValues, std::vector<double>& result)
+  {
+    result = a;
+    sumUp(
+      [&](const Vec3& value, const std::vector<WindSplines::Place>& places,
+          const std::vector<WindSplines::Instant>& instants,
+          const std::vector<WindSplines::Rows>& rows)
+      {
+        Vec3 wind = lessValues ? Vec3(-value) : Vec3::Zero();
+        for (std::size_t l = 0; l < levels; ++l)
+        {
+          wind += WindSplines::Curl(places[l], instants[l], rows[l], a.data());
+        }
+        return Vec3(weight * wind);
+      },
+      [](const Vec3& value, const WindSplines::Place& place, const WindSplines::Instant& at,
+         const WindSplines::Rows& rows, double* sums, std::size_t begin)
+      { WindSplines::AddCurl(place, at, rows, value, sums, begin); },
+      result);
+  };
+  std::vector<double> diagonal(touched.Size, 1.0); // about the matrix's own
+  sumUp([](const Vec3& value, const auto&, const auto&, const auto&) { return value; },
+        [weight](const Vec3&, const WindSplines::Place& place, const WindSplines::Instant& at,
+                 const WindSplines::Rows& rows, double* sums, std::size_t begin)
+        { WindSplines::AddSquares(place, at, rows, weight, sums, begin); },
+        diagonal);
   std::vector<double> found(touched.Size, 0.0), residual, direction, product;
   apply(found, true, residual);
   const double without = Dot(residual, residual);
@@ -418,25 +442,33 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
   {
     r = -r;
   }
-  direction = residual;
-  double size = Dot(residual, residual);
-  const double enough = Converged * Converged * size;
+  const auto scaled = [&](std::size_t i) { return residual[i] / diagonal[i]; };
+  direction.resize(touched.Size);
+  double size = Dot(residual, residual), descent = 0.0;
+  for (std::size_t i = 0; i < residual.size(); ++i)
+  {
+    direction[i] = scaled(i);
+    descent += residual[i] * direction[i];
+  }
+  const double enough = Converged * Converged * descent;
   bool goesOn = true;
   int iteration = 0;
-  for (; iteration < iterations && size > enough && goesOn; ++iteration)
+  for (; iteration < iterations && descent > enough && goesOn; ++iteration)
   {
     apply(direction, false, product);
-    const double step = size / Dot(direction, product);
+    const double step = descent / Dot(direction, product);
+    const double before = descent;
+    descent = 0.0;
     for (std::size_t i = 0; i < residual.size(); ++i)
     {
       found[i] += step * direction[i];
       residual[i] -= step * product[i];
+      descent += residual[i] * scaled(i);
     }
-    const double before = size;
     size = Dot(residual, residual);
     for (std::size_t i = 0; i < residual.size(); ++i)
     {
-      direction[i] = residual[i] + size / before * direction[i];
+      direction[i] = scaled(i) + descent / before * direction[i];
     }
     goesOn = monitor.Tick(static_cast<double>(iteration + 1) / iterations, "");
   }

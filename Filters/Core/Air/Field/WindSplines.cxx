@@ -308,7 +308,51 @@ WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines
   }
 }
 
+// Squares of what each value adds to the components of the curl, but for the hold's slope.
+WAFT_SIMD_CLONES void AddSquaresOfRows(const WindSplines::Place& place,
+                                       const WindSplines::Instant& at,
+                                       const WindSplines::Rows& rows, double weight, double* values,
+                                       std::size_t begin)
+{
+  const WindSplines::Axis& y = place.Along[1];
+  const WindSplines::Axis& z = place.Along[2];
+  Double4 plain, held, slope;
+  Load(place.Along[0].Plain, plain);
+  Load(place.Along[0].Held, held);
+  Load(place.Along[0].Slope, slope);
+  plain *= plain;
+  held *= held;
+  slope *= slope;
+  const auto square = [weight](double a, double b) { return weight * a * a * b * b; };
+  for (int k = 0; k < 4; ++k)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      const double yz = square(y.Plain[j], z.Held[k]), zy = square(y.Held[j], z.Plain[k]);
+      const Double4 squares[3] = { plain * (square(y.Held[j], z.Slope[k]) +
+                                            square(y.Slope[j], z.Held[k])),
+                                   held * square(y.Plain[j], z.Slope[k]) + slope * yz,
+                                   held * square(y.Slope[j], z.Plain[k]) + slope * zy };
+      for (std::size_t m = 0; m < 4; ++m)
+      {
+        double* row = values + (rows.First[m][static_cast<std::size_t>(4 * k + j)] - begin);
+        for (const Double4& own : squares)
+        {
+          Add(at.Weight[m] * at.Weight[m] * own, row);
+          row += rows.Next[m];
+        }
+      }
+    }
+  }
+}
+
 } // namespace
+
+void WindSplines::AddSquares(const Place& place, const Instant& at, const Rows& rows, double weight,
+                             double* values, std::size_t begin)
+{
+  AddSquaresOfRows(place, at, rows, weight * place.Hold.Factor * place.Hold.Factor, values, begin);
+}
 
 Vec3 WindSplines::Curl(const Place& place, const Instant& at, const Rows& rows,
                        const double* values)

@@ -76,6 +76,10 @@ public:
   static void AddCurl(const Place& place, const Instant& at, const Rows& rows, const Vec3& value,
                       double* values, std::size_t begin = 0);
 
+  /// To these, a weight times the square of what each is to the curl, but for the hold's slope.
+  static void AddSquares(const Place& place, const Instant& at, const Rows& rows, double weight,
+                         double* values, std::size_t begin = 0);
+
   /// The wind at the points of a lattice at a frame, added to a field. holds: by point, or empty.
   void AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,
              const std::vector<WindHold>& holds, HalfSeries::Field& field) const;

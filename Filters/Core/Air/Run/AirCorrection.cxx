@@ -29,6 +29,8 @@ constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0
 constexpr double FirstError = 1.0;
 constexpr double FurtherError = 0.05;
 constexpr double LastError = 0.01;
+// Chi2 of a wind that such an air may well have: what asks for more stays control.
+constexpr double Likely = 0.25;
 constexpr int FurtherRounds = 3;      // of fits to an air that has been simulated again, at most
 constexpr double Enough = 0.02;       // of the flow, that is left as control: then no further ones
 constexpr int MostIterations = 60;    // of conjugate gradients
@@ -207,6 +209,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
   const double begin = ProgressOf(run.Options.Rounds, state.Rounds, 0.0);
   const double step =
     (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / std::max(1, rounds);
+  double leastError = 0.0;
   for (int k = 0; k < rounds; ++k)
   {
     const bool turns = isDrawn ? k == 0 || k == std::max(1, rounds - 2) : goesOn && k == 0;
@@ -222,7 +225,8 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
       }
     }
     const double done = static_cast<double>(k) / std::max(1, rounds - 1);
-    const double error = flow * firstError * std::pow(LastError / firstError, done);
+    const double error =
+      std::max(flow * firstError * std::pow(LastError / firstError, done), leastError);
     PartMonitor fitting(run.Caller, begin + k * step, begin + (k + 0.5) * step,
                         "Fitting the wind correction");
     const bool isFitted = Fit(run, state, error, WindStride, correction, fitting);
@@ -241,6 +245,10 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
     }
     output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &correction));
     output.Rounds.back().Candidate = FitText(correction.Fitted());
+    if (correction.Fitted().ChiSquared > Likely)
+    {
+      leastError = error * std::sqrt(correction.Fitted().ChiSquared / Likely);
+    }
     if (!isDrawn && IsEnough(output))
     {
       break;

@@ -47,15 +47,15 @@ struct Chosen
 {
   int Changed = 0;
   std::size_t Targets = 0, Passing = 0; // pairs with an obstacle between that no plan was made for
-  bool HasProbes = false;
-  double Share = 0.0, WithoutProbes = 0.0; // of what legs cost
+  bool HasSpares = false;
+  double Share = 0.0, WithoutSpares = 0.0; // of what legs cost
 
-  void Add(const ChosenTargets& group, double share, double withoutProbes)
+  void Add(const ChosenTargets& group, double share, double withoutSpares)
   {
     const auto size = static_cast<double>(group.Targets.size());
     this->Targets += group.Targets.size();
     this->Share += size * share;
-    this->WithoutProbes += size * withoutProbes;
+    this->WithoutSpares += size * withoutSpares;
   }
   std::string Text() const
   {
@@ -64,10 +64,10 @@ struct Chosen
       std::to_string(this->Changed) + " of " + std::to_string(this->Targets) +
       " marks go to other objects than by the shortest legs; the square of the control falls to " +
       NumberText(this->Share / all, 2) + " of that";
-    if (this->HasProbes)
+    if (this->HasSpares)
     {
-      text += " (without " + std::to_string(Probes) + " more pairs a mark by chance to " +
-              NumberText(this->WithoutProbes / all, 3) + ")";
+      text +=
+        " (with half as many pairs by chance to " + NumberText(this->WithoutSpares / all, 2) + ")";
     }
     if (this->Passing > 0)
     {
@@ -112,10 +112,10 @@ Result ChooseIn(const ChosenTargets& group, const Choosing& choosing, AirContext
   {
     chosen.Changed += giving.Objects[t] != group.Targets[t].Object ? 1 : 0;
   }
-  const bool hasProbes = group.Candidates.size() > MostPaired;
-  chosen.HasProbes = chosen.HasProbes || hasProbes;
+  const bool hasSpares = group.Candidates.size() > MostPaired;
+  chosen.HasSpares = chosen.HasSpares || hasSpares;
   chosen.Add(group, giving.Share,
-             hasProbes ? GivingOf(group, pairs, run.Input.Objects.size(), false).Share
+             hasSpares ? GivingOf(group, pairs, run.Input.Objects.size(), false).Share
                        : giving.Share);
   return Result::Ok();
 }

@@ -15,8 +15,9 @@ namespace waft
 namespace
 {
 
-constexpr std::size_t MostTried = 24; // objects a target, of more than are paired with all
-constexpr std::uint64_t ProbeStream = 0x77686f;
+// Objects a target, of more than are paired with all: by legs, and by chance.
+constexpr std::size_t ByLegs = 8, ByChance = 16;
+constexpr std::uint64_t PairStream = 0x77686f;
 constexpr int PairIterations = 6; // of each start
 constexpr int MostPlannings = 6;  // of pairs with an obstacle between, in a group
 constexpr double Never = std::numeric_limits<double>::infinity();
@@ -100,16 +101,16 @@ std::vector<WhoPair> PairsOf(const ChosenTargets& group, const AirContext& run,
       }
     }
     std::sort(longer.begin(), longer.end());
-    const std::size_t tried =
-      group.Candidates.size() > MostPaired ? std::min(longer.size(), MostTried) : longer.size();
-    Random random(run.Input.Scene.Seed, ProbeStream + t);
-    for (std::size_t k = tried; k < std::min(longer.size(), tried + Probes); ++k)
+    const bool isAll = group.Candidates.size() <= MostPaired;
+    const std::size_t tried = std::min(longer.size(), isAll ? longer.size() : ByLegs + ByChance);
+    Random random(run.Input.Scene.Seed, PairStream + t);
+    for (std::size_t k = isAll ? tried : ByLegs; k < tried; ++k)
     {
       std::swap(longer[k], longer[k + random.Index(static_cast<std::uint32_t>(longer.size() - k))]);
     }
-    for (std::size_t k = 0; k < std::min(longer.size(), tried + Probes); ++k)
+    for (std::size_t k = 0; k < tried; ++k)
     {
-      pairs.push_back({ t, longer[k].second, Never, false, k >= tried });
+      pairs.push_back({ t, longer[k].second, Never, false, !isAll && k >= ByLegs + ByChance / 2 });
     }
   }
   return pairs;
@@ -250,14 +251,14 @@ std::vector<WhoPair> JudgedPairs(const Choosing& choosing, const ChosenTargets& 
 }
 
 Giving GivingOf(const ChosenTargets& group, const std::vector<WhoPair>& pairs, std::size_t objects,
-                bool probes)
+                bool all)
 {
   AssignmentProblem problem(objects,
                             std::vector<RankedCost>(group.Targets.size(), RankedCost{ 1, 0.0 }));
   double before = 0.0, after = 0.0;
   for (const WhoPair& pair : pairs)
   {
-    if (pair.Cost < Never && (probes || !pair.IsProbe))
+    if (pair.Cost < Never && (all || !pair.IsSpare))
     {
       problem.At(pair.Target, pair.Object) = { 0, pair.Cost };
     }

@@ -14,7 +14,6 @@ namespace waft
 {
 
 inline constexpr std::size_t MostPaired = 100; // objects, of which all pairs are tried
-inline constexpr std::size_t Probes = 2;       // pairs a target by chance, of more
 
 /// A drift, and what it costs.
 struct Way
@@ -45,7 +44,7 @@ struct WhoPair
   std::size_t Target = 0, Object = 0;
   double Cost = std::numeric_limits<double>::infinity(); // at least, where it
   bool Passes = false;                                   // through an obstacle
-  bool IsProbe = false;                                  // it is one by chance
+  bool IsSpare = false; // of the second half by chance: the choice without tells what more bring
 };
 
 /// What a choice goes by.
@@ -59,7 +58,8 @@ struct Choosing
 };
 
 /// The pairs that are tried: all, or of each target those objects with which an exchange makes the
-/// legs of both least longer, and some by chance. With their costs, unless the caller stopped it.
+/// legs of both least longer, and others by chance, whom a flow often brings there as well. With
+/// their costs, unless the caller stopped it.
 std::vector<WhoPair> JudgedPairs(const Choosing& choosing, const ChosenTargets& group);
 
 /// A giving out of a group's targets: by target the object, and what it costs over what legs cost.
@@ -69,9 +69,9 @@ struct Giving
   double Share = 1.0;
 };
 
-/// By least cost of the pairs as they are known.
+/// By least cost of the pairs as they are known; all: the spare ones, too.
 Giving GivingOf(const ChosenTargets& group, const std::vector<WhoPair>& pairs, std::size_t objects,
-                bool probes);
+                bool all);
 /// What a pair with an obstacle between costs is known by a plan alone, and but a bound before:
 /// those that would be taken are planned, and it is given out anew.
 Giving GiveOut(const Choosing& choosing, const ChosenTargets& group, std::vector<WhoPair>& pairs);
