@@ -43,7 +43,7 @@ SLACK = 1.05  # a row of `full` that misses what is wanted may miss it by so muc
 MOVED = 1e-3  # m
 LIKELIHOOD = 0.03  # what AUC may be more, for it is never below a half
 COLUMNS = [("forward replay; by the air alone", (*keys, "drift")) if name == "forward replay" else (name, keys)
-           for name, keys in make_measure_table.OPTIMISED if name != "wind's force"]
+           for name, keys in make_measure_table.OPTIMISED]
 PICTURES, MEASURES, TABLE = "In both qualities", "Measured", "The paper says, Waft has"
 
 

@@ -413,6 +413,54 @@ TEST(AirAssimilation, NamesWhatIsWrongWithItsInput)
   input = Leaves();
   input.Scene.Time.NumberOfFrames = 1;
   EXPECT_EQ(ErrorOf(input), "NumberOfFrames: at least 2 expected, found 1");
+  input = Leaves();
+  input.Scene.Bounds.Max.y() = input.Scene.Bounds.Min.y() + 0.1;
+  EXPECT_EQ(ErrorOf(input), "the volume: expected a shortest side of at least 0.125 m beside its "
+                            "longest, room for an eddy, found 0.1 m");
+}
+
+// Marks of all in one place, or denser than the lattice, or in the layer in which the air is held
+// back beside an obstacle.
+TEST(AirAssimilation, MeetsMarksThatLeaveTheAirNoRoom)
+{
+  for (const double apart : { 0.0, 0.01 })
+  {
+    AssimilationInput input;
+    input.Scene.Time = { Frames, 30.0 };
+    input.Obstacles.push_back(FlatGround());
+    ObstacleMesh box;
+    box.ObstacleId = 1;
+    box.Mesh = MakeBox({ Vec3(0.4, -0.5, 0.0), Vec3(1.0, 0.5, 1.5) });
+    input.Obstacles.push_back(box);
+    for (int o = 0; o < 24; ++o)
+    {
+      MotionObject object;
+      object.ObjectId = o;
+      object.Position = Vec3(-1.5 + 0.25 * (o % 6), -0.5 + 0.25 * (o / 6), 1.6);
+      object.SettlingSpeed = 0.5;
+      object.ClearanceRadius = 0.02;
+      Constraint row;
+      row.ObjectId = object.ObjectId;
+      row.Row = o;
+      row.Frame = 40;
+      row.Value = Vec3(0.37, apart * (o % 5), 1.0 + apart * (o / 5));
+      AddStraightFlight(object, row, Frames, input);
+    }
+    const AssimilationOutput output = Assimilated(input, Small());
+    for (std::size_t o = 0; o < 24; ++o)
+    {
+      EXPECT_EQ(output.Report[o].Status, ConstraintStatus::Met) << output.Report[o].Message;
+      EXPECT_EQ(output.Tracks[o].Positions[40], input.Constraints[o].Value) << o;
+      for (const Vec3& x : output.Tracks[o].Positions)
+      {
+        ASSERT_TRUE(x.allFinite()) << o;
+      }
+    }
+    for (const std::array<float, 3>& u : output.Air->Velocity.At(40))
+    {
+      ASSERT_TRUE(std::isfinite(u[0]) && std::isfinite(u[1]) && std::isfinite(u[2]));
+    }
+  }
 }
 
 TEST(AirAssimilation, CorrectsTheWindByAsManyNumbersInAnyVolume)

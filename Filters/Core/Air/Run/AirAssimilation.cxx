@@ -22,6 +22,7 @@ namespace
 {
 
 constexpr int LeastFrames = 2;
+constexpr int LongestSide = 32; // of the volume, over the shortest: of less no coarse grid is made
 constexpr double WindSpacingOverSide = 0.1; // the longest of the volume
 constexpr double LeastWindSpacing = 1.0 / 256.0;
 
@@ -172,7 +173,15 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
 {
   WAFT_RETURN_IF_FAILED(options.Validate());
   WAFT_RETURN_IF_FAILED(CheckTracks(input, LeastFrames));
-  const double least = LeastWindSpacing * input.Scene.Bounds.Size().maxCoeff();
+  const Vec3 size = input.Scene.Bounds.Size();
+  if (size.minCoeff() * LongestSide < size.maxCoeff())
+  {
+    return Result::Error("the volume: expected a shortest side of at least " +
+                         NumberText(size.maxCoeff() / LongestSide) +
+                         " m beside its longest, room for an eddy, found " +
+                         NumberText(size.minCoeff()) + " m");
+  }
+  const double least = LeastWindSpacing * size.maxCoeff();
   if (WindSpacingIn(input.Scene.Bounds, options) < least)
   {
     return Result::Error("WindSpacing: expected 0 or a number from " + NumberText(least) +

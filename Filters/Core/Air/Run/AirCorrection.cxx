@@ -30,7 +30,7 @@ constexpr double FirstError = 1.0;
 constexpr double FurtherError = 0.05;
 constexpr double LastError = 0.01;
 // Chi2 of a wind that such an air may well have: what asks for more stays control.
-constexpr double Likely = 0.25;
+constexpr double Likely = 0.12;
 constexpr int FurtherRounds = 3;      // of fits to an air that has been simulated again, at most
 constexpr double Enough = 0.02;       // of the flow, that is left as control: then no further ones
 constexpr int MostIterations = 60;    // of conjugate gradients
@@ -247,7 +247,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
     output.Rounds.back().Candidate = FitText(correction.Fitted());
     if (correction.Fitted().ChiSquared > Likely)
     {
-      leastError = error * std::sqrt(correction.Fitted().ChiSquared / Likely);
+      leastError = error * correction.Fitted().ChiSquared / Likely;
     }
     if (!isDrawn && IsEnough(output))
     {

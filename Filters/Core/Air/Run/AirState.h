@@ -51,7 +51,7 @@ struct AirState
 };
 
 /// Of the flow at the bodies: what an air may leave to their control.
-inline constexpr double EnoughControl = 0.1;
+inline constexpr double EnoughControl = 0.12;
 /// In which a body that has touched the ground tips over and comes to lie [s].
 inline constexpr double SettlingTime = 0.4;
 
