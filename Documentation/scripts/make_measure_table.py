@@ -38,13 +38,13 @@ OPTIMISED = (
 )
 
 
-def figure(row):
-    """The value of a row in two digits, bold where it misses; "-" where it is not measured."""
+def figure(row, small=False):
+    """The value of a row in two digits, bold where it misses; "-" where it is not measured. small: those below a tenth, too."""
     value = None if row is None else row["value"]
     if value is None:
         return "-"
     text = f"{value:.0e}" if 0.0 < abs(value) < 1e-3 else f"{value:.2f}" if abs(value) < 9.995 else f"{value:.0f}"
-    text = "0" if value == 0.0 else text
+    text = "0" if value == 0.0 else f"{value:.2g}" if small and 1e-3 <= abs(value) < 0.1 else text
     return text if row["met"] is not False else f"**{text}**"
 
 
@@ -70,7 +70,7 @@ def main(arguments):
     for file in files:
         measured = json.loads(pathlib.Path(file).read_text(encoding="utf-8"))[0]
         rows = {row["key"]: row for row in measured["rows"]}
-        cells = [", ".join(figure(rows.get(key)) for key in keys) for _, keys in columns]
+        cells = [", ".join(figure(rows.get(key), not optimised) for key in keys) for _, keys in columns]
         print("| " + " | ".join([pathlib.Path(file).stem, str(measured["objects"]), *cells, cost(measured["folder"], measured["tracks"])]) + " |")
 
 

@@ -69,8 +69,7 @@ struct PortArrays
   const std::string Touched = "; TouchDown int; Settled int";
   const std::string Planned = Moved + OfLines;
   const std::string Drifted = Moved + "; AirVelocity double*3 m/s" + Turned +
-                              "; Control double*3 m/s; Free byte" + OfLines +
-                              "; ResponseTime double s" + Touched;
+                              "; Control double*3 m/s; Free byte" + OfLines + Touched;
   const std::string Solved = Moved +
                              "; Force double*3 m/s^2; AirVelocity double*3 m/s; "
                              "SPHVelocity double*3 m/s; Residual double*3 m/s^2" +
