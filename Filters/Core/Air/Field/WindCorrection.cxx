@@ -352,7 +352,8 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     }
   }
   const double weight = 1.0 / (error * error);
-  // add(scale, place, instant, rows, part): of each sample and scale.
+  // before(value, places, instants, rows): what a sample adds by its splines of all scales;
+  // add(that, place, instant, rows, sums, begin): to those of one scale.
   const auto visit = [&](std::size_t f, const auto& before, const auto& add, Part& part)
   {
     const WindSamples& at = samples[f];

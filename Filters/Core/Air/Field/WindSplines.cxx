@@ -214,6 +214,13 @@ WAFT_INLINE void Load(const double* p, Double4& v)
   std::memcpy(&v, p, sizeof(v));
 }
 
+WAFT_INLINE void Load(const WindSplines::Axis& x, Double4& plain, Double4& held, Double4& slope)
+{
+  Load(x.Plain, plain);
+  Load(x.Held, held);
+  Load(x.Slope, slope);
+}
+
 WAFT_INLINE void Add(const Double4& more, double* p)
 {
   Double4 sum;
@@ -262,9 +269,7 @@ WAFT_SIMD_CLONES void SumRows(const WindSplines::Place& place, const WindSplines
     }
   }
   Double4 plain, held, slope;
-  Load(place.Along[0].Plain, plain);
-  Load(place.Along[0].Held, held);
-  Load(place.Along[0].Slope, slope);
+  Load(place.Along[0], plain, held, slope);
   curl[0] = SumOf(z0 * held - y0 * held);
   curl[1] = SumOf(x01 * plain - zHeld * slope);
   curl[2] = SumOf(yHeld * slope - x02 * plain);
@@ -280,9 +285,7 @@ WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines
   const WindSplines::Axis& y = place.Along[1];
   const WindSplines::Axis& z = place.Along[2];
   Double4 plain, held, slope;
-  Load(place.Along[0].Plain, plain);
-  Load(place.Along[0].Held, held);
-  Load(place.Along[0].Slope, slope);
+  Load(place.Along[0], plain, held, slope);
   for (int k = 0; k < 4; ++k)
   {
     for (int j = 0; j < 4; ++j)
@@ -317,9 +320,7 @@ WAFT_SIMD_CLONES void AddSquaresOfRows(const WindSplines::Place& place,
   const WindSplines::Axis& y = place.Along[1];
   const WindSplines::Axis& z = place.Along[2];
   Double4 plain, held, slope;
-  Load(place.Along[0].Plain, plain);
-  Load(place.Along[0].Held, held);
-  Load(place.Along[0].Slope, slope);
+  Load(place.Along[0], plain, held, slope);
   plain *= plain;
   held *= held;
   slope *= slope;
