@@ -200,6 +200,38 @@ TEST(PartMeshes, ExactMarksAtOnePlaceAreNamed)
   EXPECT_NE(warnings[0].find("as their marks are nearer to each other"), std::string::npos);
 }
 
+// Ten beside whose marks there is no room are left in each other as they are, and told; of four a
+// turn is tried.
+TEST(PartMeshes, ACrowdOfMarksStaysAsItIs)
+{
+  for (const int bodies : { 4, 10 })
+  {
+    Crowd before(CurledLeaf());
+    std::vector<Constraint> rows;
+    for (int k = 0; k < bodies; ++k)
+    {
+      const double angle = 2.0 * M_PI * k / bodies + 0.1;
+      const Vec3 way(std::cos(angle), std::sin(angle), 0.0);
+      const Vec3 middle(0.0, 0.0, 0.002 * k);
+      before.Add(middle - way, middle + way, About(way, 30.0 + 15.0 * k), Frames);
+      rows.push_back(PositionOf(before, k, Middle, 0.0));
+    }
+    PartedMotion parted;
+    const Crowd after = Parted(before, rows, parted);
+    bool isTurned = false;
+    for (std::size_t o = 0; o < before.Tracks.size(); ++o)
+    {
+      for (std::size_t f = 0; f < Frames; ++f)
+      {
+        isTurned = isTurned || after.Poses[o].Orientations[f].coeffs() !=
+                                 before.Poses[o].Orientations[f].coeffs();
+      }
+    }
+    EXPECT_EQ(isTurned, bodies == 4);
+    EXPECT_TRUE(bodies == 4 || !WarningsOfCuts(parted.Left, after.Tracks).empty());
+  }
+}
+
 TEST(PartMeshes, WarningsNameTheFirstFew)
 {
   std::vector<Track> tracks(20);
