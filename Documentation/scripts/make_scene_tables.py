@@ -17,6 +17,8 @@ PLACES = [
     ("region", {"": "region"}),
     ("/constraints[]", {kind: kind + "Constraint"
                         for kind in ("position", "rest", "velocity", "acceleration", "orientation", "path", "keyframe")}),
+    ("window", {"": "window"}),
+    ("orderDirection", {"": "orderDirection"}),
     ("facing", {"": "facing"}),
     ("targets", {"points": "pointTargets", "text": "textTargets", "picture": "imageTargets", "mesh": "meshTargets"}),
     ("/obstacles[]", {kind: kind + "Obstacle" for kind in ("box", "sphere", "cylinder", "mesh")}),
@@ -40,8 +42,8 @@ def held(field):
     if "enum" in field:
         return ", ".join(field["enum"]), ""
     if "anyOf" in field:
-        words, numbers = (held(choice) for choice in field["anyOf"])
-        return f"{words[0]} or {numbers[0]}", numbers[1]
+        choices = [held(choice) for choice in field["anyOf"]]
+        return " or ".join(what for what, _ in choices), "; ".join(bounds for _, bounds in choices if bounds)
     kind = field.get("type")
     if kind == "array" and field.get("minItems") == field["maxItems"]:
         return f"{field['maxItems']} numbers", held(field["items"])[1]

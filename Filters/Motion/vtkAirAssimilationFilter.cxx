@@ -161,7 +161,7 @@ waft::Result vtkAirAssimilationFilter::Internals::KeepSolution(vtkPolyData* plan
   this->Solution.Controls = {};
   this->Solution.Free = {};
   waft::ShareEqualArrays(planned->GetPointData(), tracks->GetPointData());
-  waft::AddTouchDowns(this->Solution.Constraints, tracks);
+  waft::AddRowTimes(this->Solution.Constraints, tracks);
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
                            this->Kept<vtkPolyData>(VorticesPort));
   waft::ConstraintsToPolyData(this->Solution.Constraints, this->Scene,

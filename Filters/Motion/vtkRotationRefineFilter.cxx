@@ -219,7 +219,7 @@ void vtkRotationRefineFilter::Internals::KeepPoses(const std::vector<double>& fa
   waft::ShareEqualArrays(given, this->Kept<vtkPolyData>(PosesPort)->GetPointData());
   waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift, farthest);
   waft::AddTurning(this->Rotation, this->Kept<vtkPolyData>(PosesPort));
-  waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
+  waft::AddRowTimes(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
   this->Meshes.SetSettled(waft::SettledFrames(this->Rotation.Constraints, this->Tracks));
   waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
   this->KeepWhatMeshesNeed();

@@ -139,7 +139,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   if (isForAll || ranks.IsFirst())
   {
     this->KeepSolution();
-    waft::AddTouchDowns(input.Constraints, this->Kept<vtkPolyData>(TracksPort));
+    waft::AddRowTimes(input.Constraints, this->Kept<vtkPolyData>(TracksPort));
   }
   return waft::Result::Ok(); // also when stopped: the best so far is shown until something changes
 }
@@ -151,7 +151,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Adopt(vtkInformationVector** inpu
   std::vector<waft::Constraint> rows;
   WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], rows));
   this->KeepSolution();
-  waft::AddTouchDowns(rows, this->Kept<vtkPolyData>(TracksPort));
+  waft::AddRowTimes(rows, this->Kept<vtkPolyData>(TracksPort));
   return waft::Result::Ok();
 }
 

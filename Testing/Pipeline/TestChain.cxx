@@ -271,7 +271,7 @@ TEST_P(ChainFaces, OneCallGivesWhatJoinedStagesGive)
   {
     TracksToPolyData(motion.Air.Tracks, info, data);
     AddControls(motion.Air, data);
-    AddTouchDowns(motion.Air.Constraints, data);
+    AddRowTimes(motion.Air.Constraints, data);
     ExpectSame(data, joined.At<vtkPolyData>(ChainStage::Assimilation, "Tracks"), "air's tracks");
     VorticesToPolyData(motion.Air.Vortices, info, data);
     ExpectSame(data, joined.At<vtkPolyData>(ChainStage::Assimilation, "Vortices"), "vortices");
@@ -284,7 +284,7 @@ TEST_P(ChainFaces, OneCallGivesWhatJoinedStagesGive)
   if (joined.Has(ChainStage::Spacetime))
   {
     TracksToPolyData(motion.Optimised.Tracks, info, data);
-    AddTouchDowns(motion.Rows(), data);
+    AddRowTimes(motion.Rows(), data);
     ExpectSame(data, joined.At<vtkPolyData>(ChainStage::Spacetime, "Tracks"), "optimised tracks");
     VorticesToPolyData(motion.Optimised.Vortices, info, data);
     ExpectSame(data, joined.At<vtkPolyData>(ChainStage::Spacetime, "Vortices"), "fitted vortices");
@@ -292,7 +292,7 @@ TEST_P(ChainFaces, OneCallGivesWhatJoinedStagesGive)
     ExpectSame(table, joined.At<vtkTable>(ChainStage::Spacetime, "Report"), "optimised report");
   }
   PosesToPolyData(motion.Tracks, motion.Turned.Poses, info, data);
-  AddTouchDowns(motion.RowsAtLast(), data);
+  AddRowTimes(motion.RowsAtLast(), data);
   ExpectSame(data, joined.At<vtkPolyData>(ChainStage::Rotation, "Poses"), "poses");
   ReportToTable(motion.Turned.Report, info, table);
   ExpectSame(table, joined.At<vtkTable>(ChainStage::Rotation, "Report"), "turned report");

@@ -101,6 +101,27 @@ std::map<int, const Constraint*> LastRests(const std::vector<Constraint>& constr
   return rests;
 }
 
+void AddArrivalsOf(const std::vector<Constraint>& constraints, vtkFieldData* ofObjects)
+{
+  vtkDataArray* ids = vtkDataArray::SafeDownCast(ofObjects->GetAbstractArray(names::ObjectId));
+  std::map<int, const Constraint*> firsts;
+  for (const Constraint& row : constraints)
+  {
+    if (IsPositional(row.Kind) && row.Status == ConstraintStatus::Met)
+    {
+      const Constraint*& first = firsts.try_emplace(row.ObjectId, &row).first->second;
+      first = row.Frame < first->Frame ? &row : first;
+    }
+  }
+  std::vector<int> arrivals;
+  for (vtkIdType i = 0; ids != nullptr && i < ids->GetNumberOfTuples(); ++i)
+  {
+    const auto found = firsts.find(static_cast<int>(ids->GetTuple1(i)));
+    arrivals.push_back(found != firsts.end() ? ArrivalOf(*found->second) : -1);
+  }
+  AddInts(ofObjects, names::Arrival, arrivals);
+}
+
 } // namespace
 
 void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const SceneInfo& info,
@@ -132,6 +153,8 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   arrays->AddArray(values);
   AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
+  AddColumn(arrays, names::FrameFrom, constraints, &Constraint::FrameFrom);
+  AddColumn(arrays, names::Arrival, constraints, ArrivalOf);
   AddColumn(arrays, names::TouchDown, constraints, &Constraint::TouchDown);
   AddColumn(arrays, names::Settled, constraints, &Constraint::Settled);
   AddColumn(arrays, names::LiftOff, constraints, &Constraint::LiftOff);
@@ -160,7 +183,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   fallback.Until = last;
   fallback.Row = -1;
   std::vector<Constraint> read(static_cast<std::size_t>(source.Tuples), fallback);
-  std::vector<int> kinds, statuses, sides, choices;
+  std::vector<int> kinds, statuses, sides, choices, arrivals;
   const int any = static_cast<int>(FaceUp::Any);
   std::vector<Quat> values;
   std::vector<Vec3> positions; // shown alone: `Value` is what counts
@@ -173,6 +196,8 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(ReadQuaternions(source, names::Value, values));
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
+  WAFT_RETURN_IF_FAILED(readOptional(names::FrameFrom, &Constraint::FrameFrom));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::Arrival, arrivals, &met));
   WAFT_RETURN_IF_FAILED(readOptional(names::TouchDown, &Constraint::TouchDown));
   WAFT_RETURN_IF_FAILED(readOptional(names::Settled, &Constraint::Settled));
   WAFT_RETURN_IF_FAILED(readOptional(names::LiftOff, &Constraint::LiftOff));
@@ -200,6 +225,12 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
       return Result::Error(vertex + ": array `Frame`: expected 0 to " + std::to_string(last) +
                            ", found " + std::to_string(row.Frame));
     }
+    if (row.FrameFrom < -1 || row.FrameFrom > row.Frame)
+    {
+      return Result::Error(vertex + ": array `FrameFrom`: expected -1 or a frame up to `Frame`, " +
+                           std::to_string(row.Frame) + ", found " + std::to_string(row.FrameFrom));
+    }
+    row.IsOpenWindow = row.FrameFrom >= 0 && arrivals[i] < 0;
     if (row.Radius < 0.0)
     {
       return Result::Error(vertex + ": array `Radius`: expected 0 or more, found " +
@@ -247,7 +278,12 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   return Result::Ok();
 }
 
-void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* tracks)
+void AddArrivals(const std::vector<Constraint>& constraints, vtkPolyData* objects)
+{
+  AddArrivalsOf(constraints, objects->GetPointData());
+}
+
+void AddRowTimes(const std::vector<Constraint>& constraints, vtkPolyData* tracks)
 {
   vtkDataArray* ids = tracks->GetCellData()->GetArray(names::ObjectId);
   const vtkIdType count = ids != nullptr ? ids->GetNumberOfTuples() : 0;
@@ -269,6 +305,7 @@ void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* trac
   }
   AddInts(tracks->GetCellData(), names::TouchDown, touchDowns);
   AddInts(tracks->GetCellData(), names::Settled, settled);
+  AddArrivalsOf(constraints, tracks->GetCellData());
 }
 
 void AddLandings(const std::vector<Constraint>& constraints,
@@ -334,6 +371,7 @@ void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, v
   AddColumn(columns, names::Message, report, &ReportRow::Message);
   AddColumn(columns, names::TouchDown, report, &ReportRow::TouchDown);
   AddColumn(columns, names::Settled, report, &ReportRow::Settled);
+  AddColumn(columns, names::Arrival, report, &ReportRow::Arrival);
   SceneInfoToFieldData(info, table);
 }
 
@@ -354,6 +392,10 @@ Result ReportFromTable(vtkTable* table, const std::string& owner, std::vector<Re
     WAFT_RETURN_IF_FAILED(cells.Read(names::Message, line.Message));
     WAFT_RETURN_IF_FAILED(cells.Read(names::TouchDown, line.TouchDown));
     WAFT_RETURN_IF_FAILED(cells.Read(names::Settled, line.Settled));
+    if (table->GetColumnByName(names::Arrival) != nullptr) // not of older runs
+    {
+      WAFT_RETURN_IF_FAILED(cells.Read(names::Arrival, line.Arrival));
+    }
   }
   report = std::move(read);
   return Result::Ok();

@@ -52,10 +52,15 @@ void TakeStatuses(const std::vector<Line>& report, std::vector<Constraint>& cons
   }
 }
 
-/// Cell data `TouchDown` and `Settled` of tracks or poses: the frame at which a body that lies to
+/// Point data `Arrival` of objects, by their `ObjectId`: the frame at which each is where the first
+/// of its positions and rests that can be met asks it to be; -1: no row asks, or the air has yet to
+/// choose.
+void AddArrivals(const std::vector<Constraint>& constraints, vtkPolyData* objects);
+
+/// Cell data of tracks or poses: `TouchDown` and `Settled`, the frame at which a body that lies to
 /// the end, asked for or not, comes to its surface, and from which it is still; -1: it does not
-/// lie.
-void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* tracks);
+/// lie. `Arrival` as above.
+void AddRowTimes(const std::vector<Constraint>& constraints, vtkPolyData* tracks);
 
 /// Field data `LandingHeight`, a number a row: of a rest that is met the height [m] of the surface
 /// that its body comes to lie on, as its track says; NaN of others. objects: those of the rows.

@@ -225,7 +225,7 @@ void Flight::TakePoses()
   PosesToPolyData(this->Made.Tracks, this->Made.Turned.Poses, this->Info(), this->Poses);
   AddDoubles(this->Poses->GetCellData(), names::Shift, this->Made.Laid);
   AddTurning(this->Made.Turned, this->Poses);
-  AddTouchDowns(this->Made.RowsAtLast(), this->Poses);
+  AddRowTimes(this->Made.RowsAtLast(), this->Poses);
 }
 
 Result Flight::WriteBodies()
@@ -234,6 +234,7 @@ Result Flight::WriteBodies()
   WAFT_RETURN_IF_FAILED(this->WriteTracks(this->Poses, "poses.vtp"));
   vtkNew<vtkPolyData> objects;
   ObjectsToPolyData(this->TheScene.Objects, this->Info(), objects);
+  AddArrivals(this->Made.Rows(), objects);
   AuthoredToFieldData(this->TheScene.Authored.Objects, objects);
   WAFT_RETURN_IF_FAILED(this->WriteData(objects, "objects.vtp"));
   WAFT_RETURN_IF_FAILED(this->WriteShapes());
@@ -313,9 +314,10 @@ Result Flight::WriteTables()
 {
   vtkNew<vtkTable> report;
   JoinedReportToTable(this->Made.Report, this->Info(), report);
-  WAFT_RETURN_IF_FAILED(WriteCsv(this->PathOf("constraints.csv"), report,
-                                 { "Row", "Target", "ObjectId", "Frame", "Kind", "Residual",
-                                   "Status", "Message", "TouchDown", "Settled", "LiftOff" }));
+  WAFT_RETURN_IF_FAILED(
+    WriteCsv(this->PathOf("constraints.csv"), report,
+             { "Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message",
+               "TouchDown", "Settled", "LiftOff", "Arrival" }));
   ConvergenceToTable(this->Made.Optimised.Convergence, this->Info(), this->Convergence);
   WAFT_RETURN_IF_FAILED(WriteCsv(this->PathOf("convergence.csv"), this->Convergence, {}));
   if (!this->IsAssimilated())
@@ -336,7 +338,7 @@ Result Flight::WriteFields()
   {
     TracksToPolyData(air.Tracks, this->Info(), drifting);
     AddControls(air, drifting);
-    AddTouchDowns(air.Constraints, drifting);
+    AddRowTimes(air.Constraints, drifting);
     WAFT_RETURN_IF_FAILED(this->WriteTracks(drifting, "assimilated.vtp"));
   }
   vtkNew<vtkPolyData> vortices;
@@ -344,7 +346,7 @@ Result Flight::WriteFields()
   {
     vtkNew<vtkPolyData> tracks;
     OptimisedToPolyData(optimised, this->Info(), tracks);
-    AddTouchDowns(this->Made.Rows(), tracks);
+    AddRowTimes(this->Made.Rows(), tracks);
     WAFT_RETURN_IF_FAILED(this->WriteTracks(tracks, "optimized.vtp"));
     VorticesToPolyData(optimised.Vortices, this->Info(), vortices);
   }

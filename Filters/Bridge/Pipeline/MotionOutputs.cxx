@@ -58,6 +58,7 @@ void MotionOutputs::KeepScene()
 {
   auto* objects = this->Kept<vtkPolyData>(ObjectsPort);
   ObjectsToPolyData(this->Read().Objects, this->Scene, objects);
+  AddArrivals(this->Made.Rows(), objects);
   AuthoredToFieldData(this->Read().Authored.Objects, objects);
   auto* obstacles = this->Kept<vtkPolyData>(ObstaclesPort);
   ObstaclesToPolyData(this->Read().Obstacles, 0.0, this->Scene, obstacles);
@@ -95,7 +96,7 @@ void MotionOutputs::KeepAir()
   if (!air.Controls.empty()) // it has come to its end
   {
     AddControls(air, tracks);
-    AddTouchDowns(air.Constraints, tracks);
+    AddRowTimes(air.Constraints, tracks);
     VorticesToPolyData(air.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
     ReportToTable(air.Report, this->Scene, this->Kept<vtkTable>(AssimilatedReportPort));
   }
@@ -113,7 +114,7 @@ void MotionOutputs::KeepOptimised()
   ConvergenceToTable(optimised.Convergence, this->Scene, this->Kept<vtkTable>(ConvergencePort));
   if (!optimised.Particles.Frames.empty()) // likewise
   {
-    AddTouchDowns(this->Made.Rows(), tracks);
+    AddRowTimes(this->Made.Rows(), tracks);
     ReportToTable(optimised.Report, this->Scene, this->Kept<vtkTable>(OptimisedReportPort));
   }
 }
@@ -131,7 +132,7 @@ Result MotionOutputs::KeepPoses()
   this->KeepTurned();
   AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), names::Shift, this->Made.Laid);
   AddTurning(this->Made.Turned, this->Kept<vtkPolyData>(PosesPort));
-  AddTouchDowns(this->Made.RowsAtLast(), this->Kept<vtkPolyData>(PosesPort));
+  AddRowTimes(this->Made.RowsAtLast(), this->Kept<vtkPolyData>(PosesPort));
   ReportToTable(this->Made.Turned.Report, this->Scene, this->Kept<vtkTable>(TurnedReportPort));
   return this->BuildMeshes();
 }

@@ -38,6 +38,19 @@ FieldSeries AirOfFrames(const SampledAir& air, const Timeline& line)
   return all;
 }
 
+/// Without an air to choose by, objects come at the ends of their windows.
+void ArriveAsPlanned(PlanOutput& plan)
+{
+  for (Constraint& row : plan.Constraints)
+  {
+    SetArrival(row.Frame, row);
+  }
+  for (ReportRow& line : plan.Report)
+  {
+    line.Arrival = line.Frame;
+  }
+}
+
 /// One run.
 class Chain
 {
@@ -290,6 +303,10 @@ Result Chain::Plan(Monitor& monitor)
   };
   const Result result = PlanTakes(input, this->Options.Plan, this->Options.Takes, this->Parallel,
                                   monitor, this->Made.Plan, this->Made.Takes, &this->Memory.Plans);
+  if (!RunsAt(ChainStage::Assimilation, this->Options.Detail))
+  {
+    ArriveAsPlanned(this->Made.Plan);
+  }
   this->Made.Warnings[ChainStage::Planner] =
     PlanRemarks(this->Inputs.Database, scene.Info, this->Made.Plan);
   return result;

@@ -132,6 +132,9 @@ struct Constraint
   Quat Orientation = Quat::Identity(); // of an orientation row
   double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
   int Until = 0;                       // rest lasts from Frame to this frame
+  int FrameFrom = -1;                  // where a window was asked for, its first frame
+  /// It is met at one of the frames from FrameFrom to Frame, of which the air has chosen none yet.
+  bool IsOpenWindow = false;
   int TouchDown = -1;        // of a rest: comes to its surface at this frame; -1: at Frame
   int Settled = -1;          // of a rest: still from this frame on; -1: from TouchDown on
   int LiftOff = -1;          // of a rest: lies there until this frame; -1: until Until
@@ -158,6 +161,8 @@ struct Constraint
     visit(of.Orientation...);
     visit(of.Radius...);
     visit(of.Until...);
+    visit(of.FrameFrom...);
+    visit(of.IsOpenWindow...);
     visit(of.TouchDown...);
     visit(of.Settled...);
     visit(of.LiftOff...);
@@ -185,6 +190,26 @@ inline double RadiusOf(const Constraint& row)
   return TraitsOf(row.Kind).Lasts ? 0.0 : row.Radius;
 }
 
+/// The frame at which the object is there; -1: not chosen yet.
+inline int ArrivalOf(const Constraint& row)
+{
+  return row.IsOpenWindow ? -1 : row.Frame;
+}
+
+/// It is met at this frame of its window.
+inline void SetArrival(int frame, Constraint& row)
+{
+  row.Frame = frame;
+  row.IsOpenWindow = false;
+  row.Until = TraitsOf(row.Kind).Lasts ? row.Until : frame;
+}
+
+/// The earliest frame at which a row may be met.
+inline int EarliestFrame(const Constraint& row)
+{
+  return row.IsOpenWindow ? row.FrameFrom : row.Frame;
+}
+
 /// The frame from which a row holds or, as a rest may, is met already.
 inline int FirstFrame(const Constraint& row)
 {
@@ -205,6 +230,7 @@ struct ReportRow
   std::string Message;
   int TouchDown = -1; // as those of the Constraint, in lines of a stage that knows them
   int Settled = -1;
+  int Arrival = -1; // of the row by which it is judged (ArrivalOf)
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -219,6 +245,7 @@ struct ReportRow
     visit(of.Message...);
     visit(of.TouchDown...);
     visit(of.Settled...);
+    visit(of.Arrival...);
   }
 };
 

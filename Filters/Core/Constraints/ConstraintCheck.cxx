@@ -111,6 +111,7 @@ private:
     line.Target = key.second;
     line.ObjectId = first.ObjectId;
     line.Frame = first.Frame;
+    line.Arrival = ArrivalOf(first);
     line.Kind = first.Kind;
     for (const std::size_t n : members)
     {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constraints/Keyframes.h"
 
+#include "Constraints/Arrivals.h"
 #include "Constraints/NearestColumns.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -44,11 +46,11 @@ std::vector<Group> CollectGroups(const std::vector<Constraint>& rows)
     Target& target = targets[key];
     if (target.Rows.empty())
     {
-      target.Frame = row.Frame;
+      target.Frame = EarliestFrame(row);
       groupOf[key] = row.Group;
     }
     target.Rows.push_back(i);
-    target.Frame = std::min(target.Frame, row.Frame);
+    target.Frame = std::min(target.Frame, EarliestFrame(row));
     target.Until = std::max(target.Until, LastFrame(row));
     if (IsPositional(row.Kind) && !target.HasPosition)
     {
@@ -101,7 +103,7 @@ public:
     {
       if (row.ObjectId >= 0 && IsPositional(row.Kind))
       {
-        this->Add(row.ObjectId, row.Frame, LastFrame(row), row.Value);
+        this->Add(row.ObjectId, EarliestFrame(row), LastFrame(row), row.Value);
       }
     }
   }
@@ -148,9 +150,10 @@ std::set<int> Candidates(const std::vector<MotionObject>& objects, const Group& 
   return ids;
 }
 
-/// The objects that a target may have, each where it is before. Who has another place at the time
-/// is penalised.
+/// The objects that a target may have, each where it is before those of its group. Who has another
+/// place at the time is penalised.
 std::vector<NearestColumns::Candidate> CandidatesFor(const Target& target,
+                                                     const FrameWindow& frames,
                                                      const std::vector<MotionObject>& objects,
                                                      const std::set<int>& ids,
                                                      const KnownPositions& known)
@@ -166,8 +169,8 @@ std::vector<NearestColumns::Candidate> CandidatesFor(const Target& target,
     candidates.push_back({ o, Vec3::Zero(), 0 });
     if (target.HasPosition)
     {
-      candidates.back().Position = known.Before(id, target.Frame);
-      candidates.back().Penalty = known.IsTaken(id, target.Frame, target.Until) ? 1 : 0;
+      candidates.back().Position = known.Before(id, frames.From);
+      candidates.back().Penalty = known.IsTaken(id, frames.From, frames.To) ? 1 : 0;
     }
   }
   return candidates;
@@ -178,16 +181,22 @@ std::vector<int> ChooseObjects(const std::vector<MotionObject>& objects,
                                const std::set<int>& candidates, const KnownPositions& known,
                                const std::vector<const Target*>& open)
 {
-  std::map<std::tuple<int, int, int, bool>, std::size_t> kindOf;
+  FrameWindow frames{ std::numeric_limits<int>::max(), 0 };
+  for (const Target* target : open)
+  {
+    frames.From = std::min(frames.From, target->Frame);
+    frames.To = std::max(frames.To, target->Until);
+  }
+  std::map<std::pair<int, bool>, std::size_t> kindOf;
   std::vector<std::vector<NearestColumns::Candidate>> kinds;
   std::vector<NearestColumns::Row> rows;
   for (const Target* target : open)
   {
-    const std::tuple key(target->Frame, target->Until, target->ClassId, target->HasPosition);
+    const std::pair<int, bool> key(target->ClassId, target->HasPosition);
     const auto [kind, isNew] = kindOf.emplace(key, kinds.size());
     if (isNew)
     {
-      kinds.push_back(CandidatesFor(*target, objects, candidates, known));
+      kinds.push_back(CandidatesFor(*target, frames, objects, candidates, known));
     }
     rows.push_back({ kind->second, target->Position });
   }
@@ -236,6 +245,13 @@ void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Const
   }
 }
 
+int ChosenTargets::FirstFrame() const
+{
+  return std::min_element(this->Targets.begin(), this->Targets.end(),
+                          [](const Target& a, const Target& b) { return a.Frame < b.Frame; })
+    ->Frame;
+}
+
 std::vector<ChosenTargets> CollectChosen(const std::vector<MotionObject>& objects,
                                          const std::vector<Constraint>& rows,
                                          const std::vector<char>& counts)
@@ -270,7 +286,7 @@ std::vector<ChosenTargets> CollectChosen(const std::vector<MotionObject>& object
       if (IsPositional(row.Kind) && !hasPosition)
       {
         hasPosition = true;
-        target.Frame = row.Frame;
+        target.Frame = EarliestFrame(row);
         target.Position = row.Value;
       }
       target.Until = std::max(target.Until, LastFrame(row));
@@ -309,7 +325,7 @@ std::vector<ChosenTargets> CollectChosen(const std::vector<MotionObject>& object
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const ChosenTargets& a, const ChosenTargets& b)
-                   { return a.Targets.front().Frame < b.Targets.front().Frame; });
+                   { return a.FirstFrame() < b.FirstFrame(); });
   return result;
 }
 

@@ -28,13 +28,16 @@ struct ChosenTargets
   struct Target
   {
     std::vector<std::size_t> Rows; // all of one (Row, Target)
-    int Frame = 0, Until = 0;
+    int Frame = 0, Until = 0;      // the earliest and the last of its rows
     Vec3 Position = Vec3::Zero();
     int ClassId = -1;
     std::size_t Object = 0; // index of the one that has it
   };
   std::vector<Target> Targets;
   std::vector<std::size_t> Candidates; // indices of objects, those that have them first
+
+  /// The earliest frame of any of its targets.
+  int FirstFrame() const;
 };
 
 /// Targets of one group, or of none and of the same frames, that objects may exchange: positions of

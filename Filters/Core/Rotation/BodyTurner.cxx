@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -41,7 +42,9 @@ PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const R
   }
   PlannedRest rest{ windows.front() };
   const bool isAsked = row.Target != OfNoRow;
-  rest.Deadline = isAsked ? std::max(row.Frame, rest.Frame) : rest.Until;
+  const int second = static_cast<int>(std::lround(input.Scene.Time.FramesPerSecond));
+  const int still = row.FrameFrom >= 0 ? row.Frame + second : row.Frame; // it came in a window
+  rest.Deadline = isAsked ? std::max(still, rest.Frame) : rest.Until;
   rest.Side = row.Side;
   return rest;
 }

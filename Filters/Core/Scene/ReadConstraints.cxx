@@ -4,6 +4,7 @@
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace waft
@@ -83,8 +84,6 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
   constraint.Kind = simple->Kind;
   constraint.ObjectId =
     this->ObjectId(node.At("object", "the id of an object"), simple->IsPositional ? -1 : 0);
-  constraint.Frame = this->Frame(node.At("frame", "a frame of the scene"));
-  constraint.Until = constraint.Frame;
   if (IsAttitude(simple->Kind))
   {
     constraint.Orientation = node.At("value", "a quaternion [w, x, y, z]").Rotation();
@@ -94,14 +93,19 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
     constraint.Value = node.At("value", "a vector [x, y, z]").Vector();
   }
   node.Take("radius", constraint.Radius);
+  RowTimes times;
+  if (simple->IsPositional)
+  {
+    times = this->ReadTimes(node, { Target{ constraint.Value } }, index);
+  }
+  else
+  {
+    times.Window.To = this->Frame(node.At("frame", "a frame of the scene"));
+  }
+  times.Set(0, constraint);
   if (simple->Lasts)
   {
-    const int last = this->Out.Info.Time.NumberOfFrames - 1;
-    constraint.Until =
-      node.Has("until")
-        ? static_cast<int>(
-            node.At("until", "").Integer(constraint.Frame, last, "a frame not before `frame`"))
-        : last;
+    constraint.Until = this->ReadUntil(node, times);
   }
   ReadSides(node, constraint);
   this->Out.Constraints.push_back(constraint);
@@ -141,6 +145,22 @@ void SceneReader::ReadSides(const SceneNode& node, Constraint& constraint)
     }
     constraint.Side = *found;
   }
+}
+
+int SceneReader::ReadUntil(const SceneNode& node, const RowTimes& times) const
+{
+  const int last = this->Out.Info.Time.NumberOfFrames - 1;
+  if (!node.Has("until"))
+  {
+    return last;
+  }
+  const int second =
+    times.IsWindow ? static_cast<int>(std::lround(this->Out.Info.Time.FramesPerSecond)) : 0;
+  return static_cast<int>(node.At("until", "")
+                            .Integer(times.Window.To + second, last,
+                                     second > 0
+                                       ? "a frame at least one second after the last arrival"
+                                       : "a frame not before `frame`"));
 }
 
 void SceneReader::ReadPath(const SceneNode& node, int row)
@@ -223,12 +243,9 @@ void SceneReader::AssignChosen(const SceneNode& node)
 void SceneReader::ReadKeyframe(const SceneNode& node, int row)
 {
   node.CheckFields("keyframeConstraint");
-  const int last = this->Out.Info.Time.NumberOfFrames - 1;
   Constraint constraint;
   constraint.Row = row;
   constraint.Group = row;
-  constraint.Frame = this->Frame(node.At("frame", "a frame of the scene"));
-  constraint.Until = constraint.Frame;
   node.Take("radius", constraint.Radius);
   bool rests = false;
   std::optional<Vec3> velocity;
@@ -249,17 +266,10 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
   if (rests)
   {
     constraint.Kind = ConstraintKind::Rest;
-    constraint.Until = last;
   }
-  if (node.Has("until"))
+  else if (node.Has("until"))
   {
-    const SceneNode until = node.At("until", "");
-    if (!rests)
-    {
-      until.FailWith("expected `until` only with \"velocity\": \"rest\"");
-    }
-    constraint.Until =
-      static_cast<int>(until.Integer(constraint.Frame, last, "a frame not before `frame`"));
+    node.At("until", "").FailWith("expected `until` only with \"velocity\": \"rest\"");
   }
   ReadSides(node, constraint);
   bool inOrder = false;
@@ -282,6 +292,8 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
                          " targets (the number of objects), found " +
                          std::to_string(targets.size()));
   }
+  const RowTimes times = this->ReadTimes(node, targets, row);
+  const int until = rests ? this->ReadUntil(node, times) : 0;
   std::vector<int> assigned(targets.size(), -1);
   if (inOrder)
   {
@@ -297,6 +309,8 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
     constraint.ObjectId = assigned[t];
     constraint.ClassId = targets[t].ClassId;
     constraint.Value = targets[t].Position;
+    times.Set(t, constraint);
+    constraint.Until = rests ? until : constraint.Frame;
     this->Out.Constraints.push_back(constraint);
     if (velocity)
     {

@@ -7,6 +7,7 @@
 #include "Scene/TextFonts.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace waft
 {
@@ -15,6 +16,7 @@ namespace
 
 // Of a text: its picture has to be drawn whole.
 constexpr int MostLetters = 1000;
+constexpr double LevelTolerance = 1e-6; // m
 
 } // namespace
 
@@ -88,7 +90,10 @@ std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node,
   for (const PlaneTarget& sample : samples)
   {
     targets.push_back({ frame.Origin + frame.Width * (sample.X * frame.U + sample.Y * frame.V),
-                        sample.Class < 0 ? -1 : classIds[sample.Class] });
+                        sample.Class < 0 ? -1 : classIds[sample.Class],
+                        sample.X,
+                        sample.Y,
+                        {} });
   }
   return targets;
 }
@@ -124,8 +129,11 @@ std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, 
   for (const Vec3& p : points)
   {
     const Vec3 local = scale * (p - 0.5 * (low + high));
-    targets.push_back(
-      { frame.Origin + local.x() * frame.U + local.y() * frame.V + local.z() * w, -1 });
+    targets.push_back({ frame.Origin + local.x() * frame.U + local.y() * frame.V + local.z() * w,
+                        -1,
+                        local.x(),
+                        local.y(),
+                        {} });
   }
   return targets;
 }
@@ -150,7 +158,16 @@ std::vector<SceneReader::Target> SceneReader::ReadPoints(const SceneNode& node) 
   const std::size_t count = points.Size("a list of points");
   for (std::size_t i = 0; i < count; ++i)
   {
-    targets.push_back({ points.Item(i).Vector(), -1 });
+    const Vec3 point = points.Item(i).Vector();
+    targets.push_back({ point, -1, point.x(), point.z(), {} });
+  }
+  const bool areLevel =
+    std::all_of(targets.begin(), targets.end(),
+                [&](const Target& target)
+                { return std::abs(target.Up - targets.front().Up) < LevelTolerance; });
+  for (Target& target : targets)
+  {
+    target.Up = areLevel ? target.Position.y() : target.Up; // as seen from above
   }
   if (node.Has("classes"))
   {
@@ -215,7 +232,20 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
     close.BodyWidth = this->BodyWidth(this->ReadTargetFrame(node, true), close.Width);
     const double distance = TargetDistance(close, count);
     picture = SpreadLetters(picture, distance);
-    return this->SamplePlane(node, MaskFromPicture(picture, {}), count, {}, row);
+    std::vector<Target> drawn =
+      this->SamplePlane(node, MaskFromPicture(picture, {}), count, {}, row);
+    std::vector<std::array<double, 2>> pixels;
+    for (const Target& target : drawn)
+    {
+      pixels.push_back({ (target.Across + 0.5) * picture.Width,
+                         target.Up * picture.Width + 0.5 * picture.Height });
+    }
+    const std::vector<TextPlace> places = PlacesInText(picture, letters, pixels);
+    for (std::size_t t = 0; t < drawn.size(); ++t)
+    {
+      drawn[t].Place = places[t];
+    }
+    return drawn;
   }
   const SceneNode image = node.At("image", "");
   const std::string path = this->File(image);

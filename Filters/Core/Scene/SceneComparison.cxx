@@ -84,7 +84,8 @@ bool IsSameObject(const MotionObject& a, const MotionObject& b)
 
 bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
 {
-  return a.Kind == b.Kind && a.Frame == b.Frame && a.Target == b.Target && a.ClassId == b.ClassId &&
+  return a.Kind == b.Kind && a.Frame == b.Frame && a.FrameFrom == b.FrameFrom &&
+         a.IsOpenWindow == b.IsOpenWindow && a.Target == b.Target && a.ClassId == b.ClassId &&
          (a.Group < 0) == (b.Group < 0) && (a.ObjectId == b.ObjectId || !mindsObject) &&
          a.Side == b.Side && IsNear(a.Facing, b.Facing) &&
          (a.Facing.isZero() || IsNear(a.FacingTolerance, b.FacingTolerance)) &&

@@ -40,6 +40,29 @@ SceneField FrameOf(const char* name, const char* sentence = "below the number of
   return SceneField(name, Value::Whole, Frame, sentence);
 }
 
+/// When a position is met; and how those of a window are spread over it.
+Fields Times()
+{
+  return {
+    FrameOf("frame",
+            "below the number of frames, or a window in which each object comes at a frame "
+            "of its own")
+      .Of("window")
+      .Required(),
+    SceneField("order", Value::Word, UpTo(SceneLists::Objects),
+               "of a window, who comes when: at the frames of least control, or one after another; "
+               "a list gives each target's rank from 0")
+      .Among({ "air", "left-to-right", "right-to-left", "top-down", "bottom-up", "outward",
+               "inward", "random", "letters", "words", "lines" })
+      .Of("orderDirection")
+      .OrList(SceneLists::Objects)
+      .Or("\"air\""),
+    SceneField("spread", Value::Word, "of an order other than air, over the window")
+      .Among({ "even", "ease-in", "ease-out" })
+      .Or("\"even\""),
+  };
+}
+
 SceneField Radius(const Range& range, const char* unit)
 {
   return SceneField("radius", Value::Number, range, unit).Or("0");
@@ -123,6 +146,11 @@ Fields OfObstacles()
 Fields OfRow(const char* kind, const SceneField& object, const SceneField& value)
 {
   return { Kind(kind), object, FrameOf("frame").Required(), value };
+}
+
+Fields OfPlacedRow(const char* kind)
+{
+  return Fields{ Kind(kind), ObjectOrAny() } + Times();
 }
 
 SceneField Asked(Value holds, const Range& range, const char* sentence)
@@ -220,17 +248,23 @@ std::vector<SceneFieldTable> ConstraintTables()
 {
   return {
     { "positionConstraint",
-      OfRow("position", ObjectOrAny(), Asked(Value::Vector, Coordinate, "m")) +
-        Fields{ Radius(Distance, "m; 0: exact"), Facing() } },
+      OfPlacedRow("position") + Fields{ Asked(Value::Vector, Coordinate, "m"),
+                                        Radius(Distance, "m; 0: exact"), Facing() } },
+    { "window",
+      { FrameOf("from", "the first frame of the window").Required(),
+        FrameOf("to", "the last one, not before `from`").Required() } },
+    { "orderDirection",
+      { SceneField("direction", Value::Vector, Direction, "not zero").Required() },
+      "one after another along a direction" },
     { "facing",
       { SceneField("direction", Value::Vector, Direction, "not zero, made unit").Required(),
         SceneField("tolerance", Value::Number, FacingTolerances, "rad").Or("0.35") },
       "a cone about a direction that the body's normal (its z axis) is in at the frame" },
     { "restConstraint",
-      { Kind("rest"), ObjectOrAny(), FrameOf("frame").Required(),
-        FrameOf("until", "default: the last frame"),
-        Asked(Value::Vector, Coordinate, "a point above the surface to rest on, m"),
-        FaceUp("the side that looks up (up: its z axis)") } },
+      OfPlacedRow("rest") +
+        Fields{ FrameOf("until", "default: the last frame"),
+                Asked(Value::Vector, Coordinate, "a point above the surface to rest on, m"),
+                FaceUp("the side that looks up (up: its z axis)") } },
     { "velocityConstraint", OfRow("velocity", ObjectId(), Asked(Value::Vector, Velocity, "m/s")) +
                               Fields{ Radius(Distance, "m/s; 0: exact") } },
     { "accelerationConstraint",
@@ -245,17 +279,18 @@ std::vector<SceneFieldTable> ConstraintTables()
         Corner("points", "one a frame, m").List(SceneLists::Rows, 1),
         Radius(Distance, "m; 0: exact") } },
     { "keyframeConstraint",
-      { Kind("keyframe"), FrameOf("frame").Required(),
-        SceneField("targets", Value::Part).Of("targets").Required(),
-        SceneField("objects", Value::Whole, IdOrAny,
-                   "default: all; -1 (any other) only with assign inOrder")
-          .List(SceneLists::Objects),
-        SceneField("assign", Value::Word).Among({ "optimal", "inOrder" }).Or("\"optimal\""),
-        SceneField("velocity", Value::Vector, Velocity, "m/s; rest: the bodies lie from then on")
-          .Among({ "none", "rest" })
-          .Or("\"none\""),
-        FrameOf("until", "of rest; default: the last frame"), Radius(Distance, "m; 0: exact"),
-        Facing("not of rest"), FaceUp("of rest: the side that looks up (up: its z axis)") } },
+      Fields{ Kind("keyframe") } + Times() +
+        Fields{
+          SceneField("targets", Value::Part).Of("targets").Required(),
+          SceneField("objects", Value::Whole, IdOrAny,
+                     "default: all; -1 (any other) only with assign inOrder")
+            .List(SceneLists::Objects),
+          SceneField("assign", Value::Word).Among({ "optimal", "inOrder" }).Or("\"optimal\""),
+          SceneField("velocity", Value::Vector, Velocity, "m/s; rest: the bodies lie from then on")
+            .Among({ "none", "rest" })
+            .Or("\"none\""),
+          FrameOf("until", "of rest; default: the last frame"), Radius(Distance, "m; 0: exact"),
+          Facing("not of rest"), FaceUp("of rest: the side that looks up (up: its z axis)") } },
   };
 }
 

@@ -45,6 +45,13 @@ SceneField& SceneField::List(std::size_t most, std::size_t fewest)
   return *this;
 }
 
+SceneField& SceneField::OrList(std::size_t most)
+{
+  this->Count = SceneCount::OneOrList;
+  this->Most = most;
+  return *this;
+}
+
 SceneField& SceneField::Named(std::size_t most)
 {
   this->Count = SceneCount::Named;

@@ -51,6 +51,7 @@ enum class SceneValue
 enum class SceneCount
 {
   One,
+  OneOrList, ///< Or a list of whole numbers in its range.
   List,
   Named, ///< An object of entries by names that are free.
 };
@@ -74,12 +75,15 @@ struct SceneField
   /// What follows changes a field and gives it back, so that a table reads as a list.
   SceneField& Required();
   SceneField& Or(const char* json); ///< Its default.
-  SceneField& Of(const char* part); ///< The kind of object that it holds.
+  /// The kind of object that it holds, or of a number or a word the one that may stand in its
+  /// place.
+  SceneField& Of(const char* part);
   /// Of a word: which there are; of a file: endings; of a vector: words that may stand in its
   /// place.
   SceneField& Among(std::vector<std::string> words);
   SceneField& Letters(std::size_t most); ///< From one to so many.
   SceneField& List(std::size_t most, std::size_t fewest = 0);
+  SceneField& OrList(std::size_t most);
   SceneField& Named(std::size_t most);
 
   std::string Name;

@@ -2,7 +2,9 @@
 // The parts of the reader of scenes, one a section of the file. Private to this library.
 #pragma once
 
+#include "Constraints/Arrivals.h"
 #include "Obstacles/TriangleTree.h"
+#include "Scene/LetterSpacing.h"
 #include "Scene/NearObjects.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneDrawings.h"
@@ -55,6 +57,19 @@ private:
   {
     Vec3 Position = Vec3::Zero();
     int ClassId = -1;
+    double Across = 0.0,
+           Up =
+             0.0; // along the drawing's width and height; of points x and z (y where all are level)
+    std::optional<TextPlace> Place;
+  };
+  // When rows of one entry are met.
+  struct RowTimes
+  {
+    FrameWindow Window;
+    bool IsWindow = false;
+    bool IsOpen = false;     // the air chooses in it
+    std::vector<int> Frames; // by target, where it does not
+    void Set(std::size_t target, Constraint& row) const;
   };
   // Where targets of a text, a picture or a mesh lie.
   struct TargetFrame
@@ -95,6 +110,13 @@ private:
   /// What is asked of the pose: `facing` and `faceUp`.
   static void ReadSides(const SceneNode& node, Constraint& constraint);
   void ReadPath(const SceneNode& node, int row);
+  /// Of a rest, `until` where it is there, else the last frame.
+  int ReadUntil(const SceneNode& node, const RowTimes& times) const;
+
+  // ReadTimes.cxx
+  RowTimes ReadTimes(const SceneNode& node, const std::vector<Target>& targets, int row) const;
+  std::vector<double> ReadOrder(const SceneNode& node, const std::vector<Target>& targets,
+                                TimeSpread spread, int row) const;
   void ReadKeyframe(const SceneNode& node, int row);
   int ObjectId(const SceneNode& node, int lowest) const;
   const MotionObject& Object(int id) const;

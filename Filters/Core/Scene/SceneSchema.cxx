@@ -86,6 +86,12 @@ SceneJson TextSchema(const SceneField& field)
   return text;
 }
 
+/// Or an object in the place of the value.
+SceneJson OrPart(const SceneJson& value, const std::string& part)
+{
+  return part.empty() ? value : SceneJson{ { "anyOf", { value, Reference(part) } } };
+}
+
 /// Of one of what a field holds.
 SceneJson ValueSchema(const SceneField& field)
 {
@@ -96,12 +102,12 @@ SceneJson ValueSchema(const SceneField& field)
     case SceneValue::Whole:
       return field.Range->Low == field.Range->High
                ? SceneJson{ { "const", NumberJson(field.Range->Low) } }
-               : NumberSchema("integer", *field.Range);
+               : OrPart(NumberSchema("integer", *field.Range), field.Part);
     case SceneValue::Flag:
       return { { "type", "boolean" } };
     case SceneValue::Word:
       return field.Words.size() == 1 ? SceneJson{ { "const", field.Words[0] } }
-                                     : SceneJson{ { "enum", field.Words } };
+                                     : OrPart(SceneJson{ { "enum", field.Words } }, field.Part);
     case SceneValue::Vector:
     {
       const SceneJson vector = NumbersSchema(*field.Range, 3);
@@ -136,6 +142,12 @@ SceneJson FieldSchema(const SceneField& field)
     }
     schema["maxItems"] = field.Most;
   }
+  else if (field.Count == SceneCount::OneOrList)
+  {
+    schema["anyOf"].push_back({ { "type", "array" },
+                                { "items", NumberSchema("integer", *field.Range) },
+                                { "maxItems", field.Most } });
+  }
   else if (field.Count == SceneCount::Named)
   {
     schema = { { "type", "object" },
@@ -167,15 +179,25 @@ SceneJson Together(const std::string& table)
     return SceneJson::parse(R"({"oneOf": [{"required": ["builtin"]}, {"required": ["mesh"]}],
       "if": {"required": ["align"]}, "then": {"required": ["mesh"]}})");
   }
-  if (table == "keyframeConstraint")
+  const bool isKeyframe = table == "keyframeConstraint";
+  if (!isKeyframe && table != "positionConstraint" && table != "restConstraint")
   {
-    return SceneJson::parse(R"({"allOf": [
-      {"if": {"anyOf": [{"required": ["until"]}, {"required": ["faceUp"]}]},
-       "then": {"required": ["velocity"], "properties": {"velocity": {"const": "rest"}}}},
-      {"if": {"required": ["facing"]},
-       "then": {"properties": {"velocity": {"anyOf": [{"const": "none"}, {"type": "array"}]}}}}]})");
+    return SceneJson::object();
   }
-  return SceneJson::object();
+  SceneJson all = SceneJson::parse(R"([
+    {"if": {"properties": {"order": {"const": "air"}}},
+     "else": {"properties": {"frame": {"type": "object"}}}},
+    {"if": {"properties": {"spread": {"const": "even"}}}, "else": {"required": ["order"]}}])");
+  if (isKeyframe)
+  {
+    all.push_back(SceneJson::parse(R"(
+      {"if": {"anyOf": [{"required": ["until"]}, {"required": ["faceUp"]}]},
+       "then": {"required": ["velocity"], "properties": {"velocity": {"const": "rest"}}}})"));
+    all.push_back(SceneJson::parse(R"(
+      {"if": {"required": ["facing"]},
+       "then": {"properties": {"velocity": {"anyOf": [{"const": "none"}, {"type": "array"}]}}}})"));
+  }
+  return { { "allOf", all } };
 }
 
 SceneJson TableSchema(const SceneFieldTable& table)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows as the constraints of a scene file: single rows, paths and keyframes.
+#include "Constraints/Arrivals.h"
 #include "Scene/AuthoredParts.h"
 #include "Scene/SceneComparison.h"
 #include "Scene/SceneFormat.h"
@@ -36,6 +37,63 @@ void FormatSides(const Constraint& row, SceneJson& json)
 bool HaveSameSides(const Constraint& a, const Constraint& b)
 {
   return a.Facing == b.Facing && a.FacingTolerance == b.FacingTolerance && a.Side == b.Side;
+}
+
+/// When rows of one entry are met: at one frame, in a window by the air, or one after another in
+/// it, as ranks. False where the format has no way to say it.
+bool FormatTimes(const std::vector<const Constraint*>& rows, SceneJson& json)
+{
+  const Constraint& first = *rows.front();
+  FrameWindow window{ first.FrameFrom, first.Frame };
+  bool areSame = true;
+  for (const Constraint* row : rows)
+  {
+    if (row->FrameFrom != first.FrameFrom || row->IsOpenWindow != first.IsOpenWindow)
+    {
+      return false;
+    }
+    areSame = areSame && row->Frame == first.Frame;
+    window.To = std::max(window.To, row->Frame);
+  }
+  if (areSame && !first.IsOpenWindow)
+  {
+    json["frame"] = first.Frame; // though it was one of a window
+    return true;
+  }
+  if (window.From < 0 || (first.IsOpenWindow && !areSame))
+  {
+    return false;
+  }
+  json["frame"]["from"] = window.From;
+  json["frame"]["to"] = window.To;
+  if (first.IsOpenWindow)
+  {
+    return true;
+  }
+  for (const TimeSpread spread : { TimeSpread::Even, TimeSpread::EaseIn, TimeSpread::EaseOut })
+  {
+    std::map<int, int> rankOf; // by frame
+    for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+      rankOf[FrameAt(window, spread, PartOfRank(k, rows.size()))] = static_cast<int>(k);
+    }
+    SceneJson ranks = SceneJson::array();
+    for (const Constraint* row : rows)
+    {
+      const auto found = rankOf.find(row->Frame);
+      if (found != rankOf.end())
+      {
+        ranks.push_back(found->second);
+      }
+    }
+    if (ranks.size() == rows.size())
+    {
+      json["order"] = std::move(ranks);
+      json["spread"] = ToString(spread);
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Whether the targets of a keyframe may be rows of this kind.
@@ -89,7 +147,7 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
   }
   json["kind"] = ToString(row.Kind);
   json["object"] = row.ObjectId;
-  json["frame"] = row.Frame;
+  (void)FormatTimes(rows, json);
   if (lasts)
   {
     json["until"] = row.Until;
@@ -158,8 +216,8 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   {
     if (IsOfKeyframe(row->Kind))
     {
-      if (row->Kind != first.Kind || row->Frame != first.Frame || row->Radius != first.Radius ||
-          !HaveSameSides(*row, first) || (IsRest(row->Kind) && row->Until != first.Until))
+      if (row->Kind != first.Kind || row->Radius != first.Radius || !HaveSameSides(*row, first) ||
+          (IsRest(row->Kind) && row->Until != first.Until))
       {
         return false;
       }
@@ -169,8 +227,8 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
     const bool follows = !targets.empty() && velocities.size() + 1 == targets.size() &&
                          row->Row == targets.back()->Row && row->Target == targets.back()->Target &&
                          row->ObjectId == targets.back()->ObjectId;
-    if (row->Kind != ConstraintKind::Velocity || row->Frame != first.Frame || row->Radius != 0.0 ||
-        !follows || first.Kind != ConstraintKind::Position ||
+    if (row->Kind != ConstraintKind::Velocity || row->Radius != 0.0 || !follows ||
+        row->Frame != targets.back()->Frame || first.Kind != ConstraintKind::Position ||
         (!velocities.empty() && row->Value != velocities.front()->Value))
     {
       return false;
@@ -195,7 +253,11 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
     return false;
   }
   json["kind"] = "keyframe";
-  json["frame"] = first.Frame;
+  if (!FormatTimes(targets, json))
+  {
+    json.erase("frame");
+    return false;
+  }
   this->SetTargets(targets, json);
   if (isAssigned)
   {

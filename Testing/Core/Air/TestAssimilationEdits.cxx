@@ -302,6 +302,138 @@ TEST(AssimilationWho, MarksGoToWhomTheAirBringsThereAndStayWithThemInEdits)
   }
 }
 
+TEST(AssimilationWhen, EachComesWhereItCostsLeastInItsWindowAndStaysThereInEdits)
+{
+  AssimilationInput input = Crossing();
+  for (Constraint& row : input.Constraints)
+  {
+    row.FrameFrom = 12;
+    row.IsOpenWindow = true;
+    row.Value = input.Objects[static_cast<std::size_t>(row.ObjectId)].Position;
+    row.Value.z() -= 0.2; // it sinks so far by frame 12 in still air
+  }
+  Constraint speed = input.Constraints[1]; // goes with its position
+  speed.Kind = ConstraintKind::Velocity;
+  speed.Value = Vec3(0.0, 0.0, -0.4);
+  input.Constraints.push_back(speed);
+  AssimilationOptions options = Small();
+  options.Rounds = 0;
+  const auto drift = [](const AssimilationOutput& output)
+  {
+    const auto row = std::find_if(output.Rounds.begin(), output.Rounds.end(),
+                                  [](const AssimilationRound& r) { return r.Stage == "drift"; });
+    return row->Control;
+  };
+  AssimilationInput fixed = input;
+  for (Constraint& row : fixed.Constraints)
+  {
+    SetArrival(row.Frame, row);
+  }
+  AssimilationState memory;
+  const AssimilationOutput found = Assimilated(input, options, &memory);
+  EXPECT_LT(drift(found), 0.9 * drift(Assimilated(fixed, options)));
+  std::vector<int> frames;
+  for (const Constraint& row : found.Constraints)
+  {
+    EXPECT_FALSE(row.IsOpenWindow);
+    EXPECT_EQ(row.FrameFrom, 12);
+    EXPECT_GE(row.Frame, 12);
+    EXPECT_LE(row.Frame, 40);
+    EXPECT_EQ(row.Until, row.Frame);
+    frames.push_back(row.Frame);
+    const std::vector<Vec3>& path = found.Tracks[static_cast<std::size_t>(row.ObjectId)].Positions;
+    const auto f = static_cast<std::size_t>(row.Frame);
+    if (row.Kind == ConstraintKind::Position)
+    {
+      EXPECT_EQ(path[f], row.Value);
+    }
+    else
+    {
+      EXPECT_LT((15.0 * (path[f + 1] - path[f - 1]) - row.Value).norm(), 1e-9);
+    }
+    const ReportRow* line = FindLine(found.Report, row.Row, row.Target);
+    EXPECT_EQ(line->Status, ConstraintStatus::Met) << line->Message;
+    EXPECT_EQ(line->Arrival, row.Frame);
+  }
+  EXPECT_EQ(frames[3], frames[1]);
+
+  input.Constraints[0].Value.z() += 0.05;
+  const AssimilationOutput edited = Assimilated(input, options, &memory);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    EXPECT_EQ(edited.Constraints[i].Frame, frames[i]);
+  }
+  EXPECT_NE(edited.Tracks[0].Positions, found.Tracks[0].Positions);
+  EXPECT_EQ(edited.Tracks[1].Positions, found.Tracks[1].Positions);
+  EXPECT_EQ(edited.Tracks[2].Positions, found.Tracks[2].Positions);
+}
+
+TEST(AssimilationWhen, WhoAndWhenAreChosenTogether)
+{
+  AssimilationInput input = Crossing();
+  for (Constraint& row : input.Constraints)
+  {
+    row.Choice = ObjectChoice::AmongAll;
+    row.Group = 0;
+    row.FrameFrom = 20;
+    row.IsOpenWindow = true;
+  }
+  AssimilationOptions options = Small();
+  options.Rounds = 0;
+  const AssimilationOutput found = Assimilated(input, options);
+  std::vector<int> ids;
+  for (const Constraint& row : found.Constraints)
+  {
+    EXPECT_FALSE(row.IsOpenWindow);
+    ids.push_back(row.ObjectId);
+    const std::vector<Vec3>& path = found.Tracks[static_cast<std::size_t>(row.ObjectId)].Positions;
+    EXPECT_EQ(path[static_cast<std::size_t>(row.Frame)], row.Value);
+  }
+  std::sort(ids.begin(), ids.end());
+  EXPECT_EQ(ids, (std::vector<int>{ 0, 1, 2 }));
+}
+
+TEST(AssimilationWhen, ARestOfAWindowLiesFromItsFrameOn)
+{
+  AssimilationInput input = Crossing();
+  for (Constraint& row : input.Constraints)
+  {
+    row.Kind = ConstraintKind::Rest;
+    row.FrameFrom = 24;
+    row.Until = Frames - 1;
+    row.IsOpenWindow = true;
+    row.Value.z() = 0.5;
+  }
+  for (std::size_t o = 0; o < input.Objects.size(); ++o)
+  {
+    input.Objects[o].Position.z() = 0.7;
+    for (Vec3& x : input.Tracks[o].Positions)
+    {
+      x.z() *= 0.35; // down to the ground and below 0.7 m
+    }
+    input.Tracks[o].Positions.front() = input.Objects[o].Position;
+  }
+  AssimilationOptions options = Small();
+  options.Rounds = 0;
+  const AssimilationOutput found = Assimilated(input, options);
+  for (const Constraint& row : found.Constraints)
+  {
+    if (row.Row == OfNoRow)
+    {
+      continue;
+    }
+    EXPECT_GE(row.Frame, 24);
+    EXPECT_LE(row.Frame, 40);
+    EXPECT_EQ(row.TouchDown, row.Frame) << "no spread but the window";
+    EXPECT_EQ(row.LiftOff, Frames - 1);
+    const std::vector<Vec3>& path = found.Tracks[static_cast<std::size_t>(row.ObjectId)].Positions;
+    for (int f = row.Frame; f < Frames; ++f)
+    {
+      EXPECT_EQ(path[static_cast<std::size_t>(f)], path.back());
+    }
+  }
+}
+
 // Two bodies whose marks are crosswise, behind a wall: the exchange needs plans over it.
 TEST(AssimilationWho, WithAnObstacleBetweenAPlanAroundItIsAskedFor)
 {

@@ -141,3 +141,20 @@ TEST(CollectChosen, TellsWhoMayTakeWhat)
   counts[2] = 0; // a row that cannot be met stays where it is
   EXPECT_EQ(CollectChosen(objects, rows, counts)[0].Targets.size(), std::size_t{ 1 });
 }
+
+TEST(AssignKeyframes, WindowsOfAGroupAreOneTime)
+{
+  // Who has another place in the window of the group is taken last, though not at the frame itself.
+  const std::vector<MotionObject> objects{ ObjectAt(0, Vec3(0, 0, 0)), ObjectAt(1, Vec3(9, 0, 0)) };
+  std::vector<Constraint> rows{ AnyAt(0, 0, 60, Vec3(0, 1, 0), 0),
+                                AnyAt(1, 0, 50, Vec3(0, 0, 2), -1) };
+  rows[0].FrameFrom = 40;
+  rows[0].IsOpenWindow = true;
+  rows[1].ObjectId = 0;
+  AssignKeyframes(objects, rows);
+  EXPECT_EQ(rows[0].ObjectId, 1);
+  rows[0].ObjectId = -1;
+  SetArrival(60, rows[0]);
+  AssignKeyframes(objects, rows);
+  EXPECT_EQ(rows[0].ObjectId, 0);
+}

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/ShapeMeasures.h"
+#include "Scene/LetterSpacing.h"
 #include "TestAssets.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -246,6 +248,109 @@ TEST(ReadScene, KeyframesBecomeGroups)
 
   scene = keyframe(three);
   EXPECT_EQ(scene.Constraints[0].Kind, ConstraintKind::Position);
+}
+
+TEST(ReadScene, WindowsAreOpenOrSpreadInOrder)
+{
+  const std::string objects =
+    R"([{"shape": "leaf", "positions": [[0, 0, 3], [1, 0, 3], [-1, 0, 3], [0, 1, 3]]}])";
+  const auto frames = [&](const std::string& fields)
+  {
+    const Scene scene = Parsed(
+      WithObjects(objects,
+                  R"(, "constraints": [{"kind": "keyframe", "frame": {"from": 100, "to": 160},
+           "targets": {"points": [[1, 0, 0], [0, 1, 2], [-1, 0, 1], [0, 0, 4]]})" +
+                    fields + "}]"));
+    std::vector<int> found;
+    for (const Constraint& row : scene.Constraints)
+    {
+      EXPECT_EQ(row.FrameFrom, 100);
+      EXPECT_EQ(row.IsOpenWindow, fields.find("order") == std::string::npos);
+      if (IsPositional(row.Kind))
+      {
+        found.push_back(row.Frame);
+      }
+    }
+    return found;
+  };
+  using Frames = std::vector<int>;
+  EXPECT_EQ(frames(""), (Frames{ 160, 160, 160, 160 })) << "open: till the air decides";
+  EXPECT_EQ(frames(R"(, "order": "left-to-right")"), (Frames{ 160, 120, 100, 140 }));
+  EXPECT_EQ(frames(R"(, "order": "right-to-left")"), (Frames{ 100, 120, 160, 140 }));
+  EXPECT_EQ(frames(R"(, "order": "bottom-up")"), (Frames{ 100, 140, 120, 160 }));
+  EXPECT_EQ(frames(R"(, "order": "top-down")"), (Frames{ 160, 120, 140, 100 }));
+  EXPECT_EQ(frames(R"(, "order": {"direction": [0, 2, 0.1]})"), (Frames{ 100, 160, 120, 140 }));
+  EXPECT_EQ(frames(R"(, "order": [3, 0, 0, 1])"), (Frames{ 160, 100, 100, 120 }));
+  EXPECT_EQ(frames(R"(, "order": "left-to-right", "spread": "ease-in")"),
+            (Frames{ 160, 107, 100, 127 }));
+  // From the middle (0, 0.25, 1.75): 2.03, 0.79, 1.27 and 2.26 m
+  EXPECT_EQ(frames(R"(, "order": "outward")"), (Frames{ 140, 100, 120, 160 }));
+  EXPECT_EQ(frames(R"(, "order": "inward")"), (Frames{ 120, 160, 140, 100 }));
+  Frames random = frames(R"(, "order": "random")");
+  EXPECT_EQ(random, frames(R"(, "order": "random")"));
+  std::sort(random.begin(), random.end());
+  EXPECT_EQ(random, (Frames{ 100, 120, 140, 160 }));
+
+  // The velocity of a target goes with it; so does what the body faces.
+  const Scene moving = Parsed(WithObjects(
+    objects, R"(, "constraints": [{"kind": "keyframe", "frame": {"from": 100, "to": 160},
+      "order": "left-to-right", "velocity": [0, 0, -1],
+      "targets": {"points": [[1, 0, 1], [0, 0, 1]]}}])"));
+  ASSERT_EQ(moving.Constraints.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(moving.Constraints[i].Frame, i < 2 ? 160 : 100);
+    EXPECT_EQ(moving.Constraints[i].Until, moving.Constraints[i].Frame);
+  }
+  // A rest lasts as ever; points on a floor are seen from above.
+  const Scene lying = Parsed(WithObjects(
+    objects, R"(, "constraints": [{"kind": "keyframe", "frame": {"from": 100, "to": 160},
+      "order": "top-down", "velocity": "rest", "until": 200,
+      "targets": {"points": [[0, -1, 1], [0, 1, 1]]}},
+      {"kind": "rest", "object": 3, "frame": {"from": 20, "to": 40}, "value": [0, 0, 1],
+       "until": 70},
+      {"kind": "position", "object": 3, "frame": {"from": 90, "to": 90}, "value": [0, 0, 1]}])"));
+  EXPECT_EQ(lying.Constraints[0].Frame, 160);
+  EXPECT_EQ(lying.Constraints[1].Frame, 100);
+  EXPECT_EQ(lying.Constraints[0].Until, 200);
+  EXPECT_TRUE(lying.Constraints[2].IsOpenWindow);
+  EXPECT_EQ(lying.Constraints[2].Until, 70);
+  EXPECT_FALSE(lying.Constraints[3].IsOpenWindow) << "one frame leaves no choice";
+}
+
+TEST(ReadScene, LettersWordsAndLinesOfADrawnText)
+{
+  // "AB C" above "D": bars of 4 by 8 pixels, C behind a wider gap; B is in two parts above each
+  // other.
+  Picture drawn;
+  drawn.Width = 40;
+  drawn.Height = 30;
+  drawn.Pixels.assign(1200, { 0.f, 0.f, 0.f, 0.f });
+  const auto bar = [&](int left, int low, int high)
+  {
+    for (int y = low; y < high; ++y)
+    {
+      for (int x = left; x < left + 4; ++x)
+      {
+        drawn.Pixels[static_cast<std::size_t>(y * 40 + x)][3] = 1.f;
+      }
+    }
+  };
+  bar(2, 18, 28);  // A
+  bar(9, 18, 23);  // B
+  bar(9, 25, 28);  // and what is above it
+  bar(26, 18, 28); // C
+  bar(12, 2, 12);  // D
+  const std::vector<TextPlace> places =
+    PlacesInText(drawn, "AB C\nD", { { 3, 20 }, { 10, 19 }, { 10, 27 }, { 31, 29 }, { 13, 1 } });
+  const int expected[][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 }, { 3, 2, 1 } };
+  ASSERT_EQ(places.size(), 5u);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    EXPECT_EQ(places[i].Letter, expected[i][0]) << i;
+    EXPECT_EQ(places[i].Word, expected[i][1]) << i;
+    EXPECT_EQ(places[i].Line, expected[i][2]) << i;
+  }
 }
 
 TEST(ReadScene, TextImageAndMeshTargets)

@@ -40,7 +40,8 @@ void ExpectSameRows(const std::vector<Constraint>& a, const std::vector<Constrai
                           return std::tie(item.ObjectId, item.Frame, item.Kind, item.Value,
                                           item.Orientation.coeffs(), item.Radius, item.Until,
                                           item.Row, item.Target, item.Group, item.ClassId,
-                                          item.Side, item.Facing, item.FacingTolerance);
+                                          item.Side, item.Facing, item.FacingTolerance,
+                                          item.FrameFrom, item.IsOpenWindow);
                         });
 }
 
@@ -219,6 +220,31 @@ TEST(WriteScene, MixedRowsOfOneNumberAreWrittenOneByOne)
   EXPECT_EQ(read.Constraints[1].ObjectId, 0);
   EXPECT_EQ(read.Constraints[1].Frame, 100);
   EXPECT_EQ(read.Constraints[1].Value, scene.Constraints[1].Value);
+}
+
+TEST(WriteScene, WindowsAreWrittenThoughTheirTargetsMoved)
+{
+  const std::string begin = R"({"waft": 1, "shapes": {"a": {"builtin": "leaf"}},
+    "objects": [{"shape": "a", "positions": [[0, 0, 3], [1, 0, 3], [-1, 0, 3]]}], "constraints": [
+    {"kind": "keyframe", "frame": {"from": 90, "to": 150}, "targets": {"points":
+     [[0, 0, 1], [1, 0, 1], [-1, 0, 1]]})";
+  for (const char* order :
+       { "", R"(, "order": "left-to-right")", R"(, "order": "random", "spread": "ease-out")",
+         R"(, "order": "outward", "velocity": "rest", "until": 200)",
+         R"(, "order": [2, 2, 0], "velocity": [0, 0, -1], "spread": "ease-in")" })
+  {
+    Scene scene = Parsed(begin + order + "}]}");
+    for (Constraint& row : scene.Constraints)
+    {
+      row.Value += IsPositional(row.Kind) ? Vec3(0.0, 0.2, 0.0) : Vec3(Vec3::Zero());
+    }
+    ExpectSameRows(scene.Constraints, Parsed(Written(scene).Json).Constraints);
+  }
+  Scene single = Parsed(R"({"waft": 1, "shapes": {"a": {"builtin": "leaf"}},
+    "objects": [{"shape": "a", "position": [0, 0, 3]}], "constraints": [
+    {"kind": "rest", "object": 0, "frame": {"from": 90, "to": 150}, "value": [0, 0, 1]}]})");
+  single.Constraints[0].Value.x() += 0.1;
+  ExpectSameRows(single.Constraints, Parsed(Written(single).Json).Constraints);
 }
 
 namespace

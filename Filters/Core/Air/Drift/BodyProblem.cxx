@@ -31,6 +31,7 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
   {
     this->Latest.push_back(landing.Frame);
     this->Leaving.push_back(landing.Until);
+    this->Timed.push_back(this->RestOf(landing).FrameFrom >= 0 ? 1 : 0);
   }
   this->AddRows();
   this->FixFrames();

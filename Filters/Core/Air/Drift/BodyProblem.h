@@ -44,6 +44,8 @@ public:
   /// The row's own Frame, and the earliest frame at which it may lie there.
   int LandingFrame(std::size_t landing) const { return this->Latest[landing]; }
   int EarliestTouchDown(std::size_t landing, int most) const;
+  /// It has a window of its own, and touches down just at its row's Frame.
+  bool IsTimed(std::size_t landing) const { return this->Timed[landing] != 0; }
 
   /// The frame until which a landing lies there, of its row's own last one and up to `most` frames
   /// after.
@@ -128,6 +130,7 @@ private:
   std::vector<Vec3> Slips;  // by step [m/s], or empty
   std::vector<int> Latest;  // touch-downs, as the rows have them
   std::vector<int> Leaving; // lift-offs likewise
+  std::vector<char> Timed;
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;
   std::vector<std::pair<int, Vec3>> Passed; // frames and places of exact positions

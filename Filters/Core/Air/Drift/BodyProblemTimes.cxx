@@ -47,7 +47,7 @@ void BodyProblem::FixFrames()
 int BodyProblem::EarliestTouchDown(std::size_t landing, int most) const
 {
   // Not before another mark, and with some way to go from there.
-  int earliest = this->Latest[landing] - most;
+  int earliest = this->Latest[landing] - (this->IsTimed(landing) ? 0 : most);
   for (int f = this->Latest[landing] - 1; f >= std::max(0, earliest); --f)
   {
     if (this->IsFixed[static_cast<std::size_t>(f)] && f < this->Landings[landing].Frame)
@@ -78,7 +78,8 @@ int BodyProblem::LatestLiftOff(std::size_t landing, int most) const
     ++next;
   }
   const int leaving = this->Leaving[landing];
-  return std::max(leaving, leaving + std::min(most, (next - leaving) / 3));
+  const int later = this->IsTimed(landing) ? 0 : std::min(most, (next - leaving) / 3);
+  return std::max(leaving, leaving + later);
 }
 
 void BodyProblem::SetLiftOff(std::size_t landing, int frame)
@@ -127,6 +128,7 @@ void BodyProblem::LandFreely(const Constraint& landing)
   this->Landings.push_back(windows.front());
   this->Latest.push_back(rest.Frame);
   this->Leaving.push_back(rest.Until);
+  this->Timed.push_back(0);
   this->FixFrames();
 }
 

@@ -6,6 +6,7 @@
 #include "Air/Run/AirResult.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/AirSetup.h"
+#include "Air/Run/AirWhen.h"
 #include "Air/Run/AirWho.h"
 #include "Air/Run/AssimilationResume.h"
 #include "Air/Run/BodyDrift.h"
@@ -94,6 +95,18 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
     }
     result = ChooseWho(run, state, output);
     WAFT_RETURN_IF_FAILED(result);
+    if (!result.IsStopped())
+    {
+      int chosen = 0;
+      result = ChooseWhen(run, state.Sampled.Velocity, state.Bodies, output, chosen);
+      WAFT_RETURN_IF_FAILED(result);
+      if (chosen > 0)
+      {
+        output.Rounds.push_back(RoundOf(run, state, "when"));
+        output.Rounds.back().Candidate =
+          std::to_string(chosen) + " objects come at frames of their own in their windows";
+      }
+    }
     if (!result.IsStopped())
     {
       result = FirstDrift(run, state, output);

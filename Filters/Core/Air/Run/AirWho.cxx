@@ -183,9 +183,9 @@ std::vector<int> WhoOf(const AirContext& run)
   std::vector<int> who;
   for (const Constraint& row : run.Rows)
   {
-    if (row.Choice != ObjectChoice::Given)
+    if (row.Choice != ObjectChoice::Given || row.FrameFrom >= 0)
     {
-      who.insert(who.end(), { row.Row, row.Target, row.ObjectId });
+      who.insert(who.end(), { row.Row, row.Target, row.ObjectId, ArrivalOf(row) });
     }
   }
   return who;
@@ -260,10 +260,20 @@ Result ChooseWho(AirContext& run, AirState& state, AssimilationOutput& output)
 Result TakeWho(const std::vector<int>& who, const std::vector<std::vector<Vec3>>& plans,
                AirContext& run, AirBodies& bodies, AssimilationOutput& output)
 {
-  std::map<std::pair<int, int>, int> ids;
-  for (std::size_t k = 0; k + 2 < who.size(); k += 3)
+  std::map<std::pair<int, int>, int> ids, frames;
+  for (std::size_t k = 0; k + 3 < who.size(); k += 4)
   {
     ids[{ who[k], who[k + 1] }] = who[k + 2];
+    frames[{ who[k], who[k + 1] }] = who[k + 3];
+  }
+  for (Constraint& row : run.Rows)
+  {
+    const auto known = frames.find({ row.Row, row.Target });
+    if (row.IsOpenWindow && known != frames.end() && known->second >= row.FrameFrom &&
+        known->second <= row.Frame)
+    {
+      SetArrival(known->second, row);
+    }
   }
   const std::vector<char> counts = CountingRows(run, output.Report);
   for (const ChosenTargets& group : CollectChosen(run.Input.Objects, run.Rows, counts))

@@ -17,11 +17,13 @@ namespace waft
 /// were found are the plans of who has another target.
 Result ChooseWho(AirContext& run, AirState& state, AssimilationOutput& output);
 
-/// As an earlier run had it, by (Row, Target); what is new there takes who is left over of its
-/// group. plans: by track, those of objects with other targets than the input's.
+/// As an earlier run had it, by (Row, Target), at the frames of then where they are in the windows
+/// of now; what is new there takes who is left over of its group. plans: by track, those of objects
+/// with other targets than the input's.
 Result TakeWho(const std::vector<int>& who, const std::vector<std::vector<Vec3>>& plans,
                AirContext& run, AirBodies& bodies, AssimilationOutput& output);
-/// Row, Target and ObjectId of each row whose object was chosen.
+/// Row, Target, ObjectId and frame of arrival (-1: not chosen) of each row whose object or frame
+/// was chosen.
 std::vector<int> WhoOf(const AirContext& run);
 /// Plans that are not the input's; empty lists for the others.
 std::vector<std::vector<Vec3>> PlansOf(const AirContext& run);

@@ -2,6 +2,7 @@
 #include "Air/Run/AssimilationResume.h"
 
 #include "Air/Run/AirSetup.h"
+#include "Air/Run/AirWhen.h"
 #include "Air/Run/AirWho.h"
 
 #include <algorithm>
@@ -161,6 +162,11 @@ bool TakeEdit(AirContext& run, const AssimilationState* memory, AirState& state,
   }
   if (!kept.IsFinished || !kept.Key.IsOfSameAir(run.Key) || !HasPaths(kept, run) ||
       !TakeWho(kept.Who, kept.Plans, run, state.Bodies, output))
+  {
+    return false;
+  }
+  int chosen = 0;
+  if (!ChooseWhen(run, kept.Air->Velocity, state.Bodies, output, chosen))
   {
     return false;
   }

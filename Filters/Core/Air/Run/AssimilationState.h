@@ -62,7 +62,7 @@ struct AssimilationState
   std::vector<std::vector<int>> TouchDowns; // one a landing
   std::vector<std::vector<int>> LiftOffs;   // likewise
   std::vector<AssimilationRound> Table;
-  std::vector<int> Who;                 // Row, Target, ObjectId of each row whose object was chosen
+  std::vector<int> Who;                 // WhoOf(run)
   std::vector<std::vector<Vec3>> Plans; // of tracks that are not planned as the input has it
 
   /// All but the airs, whose bytes are packed.
@@ -88,7 +88,7 @@ struct AssimilationState
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-inline constexpr StateKind AssimilationKind = { "assimilation", 8 };
+inline constexpr StateKind AssimilationKind = { "assimilation", 9 };
 
 void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel);
 void ReadSeries(StateArchive& stream, HalfSeries& series);

@@ -2,12 +2,14 @@
 #include "Air/Run/WhoPairs.h"
 
 #include "Air/Run/AirSetup.h"
+#include "Air/Run/AirWhen.h"
 #include "Base/Random.h"
 #include "Constraints/LeastCost.h"
 #include "Constraints/RowsOfObjects.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace waft
@@ -20,6 +22,7 @@ constexpr std::size_t ByLegs = 8, ByChance = 16;
 constexpr std::uint64_t PairStream = 0x77686f;
 constexpr int PairIterations = 6; // of each start
 constexpr int MostPlannings = 6;  // of pairs with an obstacle between, in a group
+constexpr int FramesOfPairs = 3;  // that are tried of a window
 constexpr double Never = std::numeric_limits<double>::infinity();
 
 /// Of the rows of an object that count beside those that are open still.
@@ -41,7 +44,7 @@ bool IsAsked(const std::vector<Constraint>& rows, int frame, int until)
 {
   return std::any_of(rows.begin(), rows.end(),
                      [&](const Constraint& row) {
-                       return IsPositional(row.Kind) && row.Frame <= until &&
+                       return IsPositional(row.Kind) && EarliestFrame(row) <= until &&
                               LastFrame(row) >= frame;
                      });
 }
@@ -146,37 +149,73 @@ std::size_t TrackOf(const AirContext& run, std::size_t object)
   return static_cast<std::size_t>(found - tracks.begin());
 }
 
+// But for those of its last one's target.
+std::vector<Constraint> OthersOf(const std::vector<Constraint>& rows)
+{
+  std::vector<Constraint> others;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(others),
+               [&](const Constraint& row)
+               { return row.Row != rows.back().Row || row.Target != rows.back().Target; });
+  return others;
+}
+
+// A pair that comes at a frame, if that costs less than what was tried.
+void JudgeAt(const Choosing& choosing, const ChosenTargets& group, int frame,
+             std::vector<Constraint> rows, WhoPair& pair)
+{
+  const AirContext& run = choosing.Run;
+  const MotionObject& object = run.Input.Objects[pair.Object];
+  const bool isPlanned = pair.Object == group.Targets[pair.Target].Object &&
+                         frame == rows.back().Frame; // the plan is of just this
+  const std::pair<int, int> key(rows.back().Row, rows.back().Target);
+  const int sooner = IsRest(rows.back().Kind) ? rows.back().Frame - frame : 0;
+  for (Constraint& row : rows)
+  {
+    if (std::pair(row.Row, row.Target) == key)
+    {
+      SetArrival(frame, row);
+    }
+  }
+  BodyProblem body = ProblemOf(run, object, run.Plans[TrackOf(run, pair.Object)], std::move(rows));
+  const Way way = isPlanned ? LeastDrift(run, choosing.Air, body, PairIterations,
+                                         body.Starts(choosing.Air, 0), Obstacles::MayBePassed)
+                            : LeastDrift(run, choosing.Air, body, PairIterations,
+                                         OtherStarts(choosing.Air, body));
+  const double cost = way.Passes ? LeastDrift(run, choosing.Air, body, PairIterations,
+                                              OtherStarts(choosing.Air, body), Obstacles::NotThere)
+                                     .Cost
+                                 : way.Cost;
+  const double longer = 1.0 + static_cast<double>(sooner) / body.NumberOfFlownSteps();
+  if (pair.Cost == Never || longer * cost < pair.Cost)
+  {
+    pair.Cost = longer * cost; // as lying costs nothing
+    pair.Passes = way.Passes;
+  }
+}
+
 // What each pair costs.
 void Judge(const Choosing& choosing, const ChosenTargets& group, std::vector<WhoPair>& pairs)
 {
   const AirContext& run = choosing.Run;
   const RowsOfObjects places(run.Rows);
-  run.Parallel(
-    pairs.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t p = begin; p < end && choosing.Caller.Tick(-1.0, ""); ++p)
-      {
-        WhoPair& pair = pairs[p];
-        const bool has = pair.Object == group.Targets[pair.Target].Object;
-        std::vector<Constraint> rows = RowsOf(choosing, group, places, pair);
-        const std::size_t track = TrackOf(run, pair.Object);
-        if (!rows.empty() && track < run.Plans.size())
-        {
-          BodyProblem body =
-            ProblemOf(run, run.Input.Objects[pair.Object], run.Plans[track], std::move(rows));
-          const Way way = has ? LeastDrift(run, choosing.Air, body, PairIterations,
-                                           body.Starts(choosing.Air, 0), Obstacles::MayBePassed)
-                              : LeastDrift(run, choosing.Air, body, PairIterations,
-                                           OtherStarts(choosing.Air, body));
-          pair.Passes = way.Passes;
-          pair.Cost = way.Passes ? LeastDrift(run, choosing.Air, body, PairIterations,
-                                              OtherStarts(choosing.Air, body), Obstacles::NotThere)
-                                     .Cost
-                                 : way.Cost;
-        }
-      }
-    });
+  run.Parallel(pairs.size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t p = begin; p < end && choosing.Caller.Tick(-1.0, ""); ++p)
+                 {
+                   WhoPair& pair = pairs[p];
+                   const std::vector<Constraint> rows = RowsOf(choosing, group, places, pair);
+                   const std::size_t track = TrackOf(run, pair.Object);
+                   if (!rows.empty() && track < run.Plans.size())
+                   {
+                     for (const int frame :
+                          FramesOf(run, rows.back(), OthersOf(rows), FramesOfPairs))
+                     {
+                       JudgeAt(choosing, group, frame, rows, pair);
+                     }
+                   }
+                 }
+               });
 }
 
 // Pairs with an obstacle between, from plans around it; without a plan they are none.
@@ -244,8 +283,8 @@ std::vector<std::vector<Vec3>> OtherStarts(const AirSampler& air, const BodyProb
 
 std::vector<WhoPair> JudgedPairs(const Choosing& choosing, const ChosenTargets& group)
 {
-  std::vector<WhoPair> pairs = PairsOf(
-    group, choosing.Run, PlacesBefore(choosing.Run, choosing.IsOpen, group.Targets.front().Frame));
+  std::vector<WhoPair> pairs =
+    PairsOf(group, choosing.Run, PlacesBefore(choosing.Run, choosing.IsOpen, group.FirstFrame()));
   Judge(choosing, group, pairs);
   return pairs;
 }

@@ -69,7 +69,10 @@ def _rules(entry, definition):
     if "facing" in entry:
         yield "facing", "a direction that is not zero", not math.hypot(*entry["facing"]["direction"]) > _SMALLEST
     if "until" in entry:
-        yield "until", f"a frame from {entry['frame']} on, where it begins", entry["until"] < entry["frame"]
+        first = latest(entry["frame"])
+        yield "until", f"a frame from {first} on, where it begins", entry["until"] < first
+    if isinstance(entry.get("frame"), dict):
+        yield "frame", "a window whose `to` is not before its `from`", entry["frame"]["to"] < entry["frame"]["from"]
     if definition == "keyframeConstraint" and "objects" in entry:
         named = [number for number in entry["objects"] if number != -1]
         yield "objects", "each object once", len(set(named)) < len(named)
@@ -95,9 +98,14 @@ def last_frames(data):
         yield f"obstacle {number}", max((step["frame"] for step in obstacle.get("motion", ())), default=0)
 
 
+def latest(frame):
+    """Of a frame, or of a window of frames."""
+    return frame["to"] if isinstance(frame, dict) else frame
+
+
 def last_frame(row):
     """Of a row."""
-    return max(row.get("frame", 0), row.get("until", 0), row.get("firstFrame", 0) + len(row.get("points", (0,))) - 1)
+    return max(latest(row.get("frame", 0)), row.get("until", 0), row.get("firstFrame", 0) + len(row.get("points", (0,))) - 1)
 
 
 def classes_of(data):

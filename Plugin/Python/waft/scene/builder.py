@@ -12,8 +12,10 @@ from waft.files import whole_file, write_text
 from waft.reading import json_of, read_json, read_text
 from waft.scene import _schema
 from waft.scene._entries import documented, entry_of, refusal, sensible
-from waft.scene._sense import classes_of, last_frame, last_frames, targets_of
+from waft.scene._sense import classes_of, last_frame, last_frames, latest, targets_of
 
+Frame = Union[int, Mapping[str, int]]  # or a window {"from": frame, "to": frame}
+Order = Union[str, Mapping[str, Any], Iterable[int]]  # a word, a direction or a list of ranks
 Vector = Iterable[SupportsFloat]  # a tuple, a list, a numpy array, ... of three numbers
 Quaternion = Iterable[SupportsFloat]  # w, x, y, z
 Path = Union[str, "os.PathLike[str]"]
@@ -116,8 +118,9 @@ class Scene:
     # Marks
 
     @documented("positionConstraint")
-    def add_position(self, object: int, frame: int, value: Vector, *, radius: Optional[float] = None,
-                     facing: Optional[Mapping[str, Any]] = None, comment: Optional[str] = None) -> int:
+    def add_position(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
+                     spread: Optional[str] = None, radius: Optional[float] = None, facing: Optional[Mapping[str, Any]] = None,
+                     comment: Optional[str] = None) -> int:
         """An object is at a place at a frame. Returns the row, as all constraints do."""
         return self._add_mark("add_position", "position", locals())
 
@@ -140,8 +143,9 @@ class Scene:
         return self._add_mark("add_orientation", "orientation", locals())
 
     @documented("restConstraint")
-    def add_rest(self, object: int, frame: int, value: Vector, *, until: Optional[int] = None,
-                 face_up: Optional[str] = None, comment: Optional[str] = None) -> int:
+    def add_rest(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
+                 spread: Optional[str] = None, until: Optional[int] = None, face_up: Optional[str] = None,
+                 comment: Optional[str] = None) -> int:
         """An object lies still on the first surface straight below a place, from a frame on."""
         return self._add_mark("add_rest", "rest", locals())
 
@@ -152,7 +156,8 @@ class Scene:
         return self._add_mark("add_path", "path", locals())
 
     @documented("keyframeConstraint", "pointTargets", "textTargets", "imageTargets", "meshTargets")
-    def add_keyframe(self, frame: int, *, points: Optional[Iterable[Vector]] = None, text: Optional[str] = None,
+    def add_keyframe(self, frame: Frame, *, order: Optional[Order] = None, spread: Optional[str] = None,
+                     points: Optional[Iterable[Vector]] = None, text: Optional[str] = None,
                      image: Optional[Path] = None, mesh: Optional[Path] = None, origin: Optional[Vector] = None,
                      u: Optional[Vector] = None, v: Optional[Vector] = None, width: Optional[float] = None,
                      count: Optional[int] = None, font: Optional[Path] = None,
@@ -377,7 +382,7 @@ class Scene:
                 if number != -1 and number not in self._ids:
                     raise refusal(method, name, f"the id of one of the scene's {len(self._ids)} objects", number)
         last = self.frames - 1
-        for name, frame in (("frame", entry.get("frame")), ("until", entry.get("until")),
+        for name, frame in (("frame", latest(entry["frame"]) if "frame" in entry else None), ("until", entry.get("until")),
                             ("first_frame", entry.get("firstFrame")), ("points", last_frame(entry))):
             if frame is not None and frame > last:
                 raise refusal(method, name, f"a frame from 0 to {last}, as set_time says", frame)

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/AirWhen.h"
+
+#include "Air/Run/AirSetup.h"
+#include "Air/Run/RunProgress.h"
+#include "Air/Run/WhoPairs.h"
+#include "Constraints/Arrivals.h"
+#include "Constraints/ConstraintCheck.h"
+#include "Constraints/RowsOfObjects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+constexpr int FewestTried = 5;  // frames of a window, at first
+constexpr int FinerSteps = 2;   // each a third of the one before
+constexpr int Passes = 2;       // over the windows of an object that has several
+constexpr int BesideOthers = 3; // frames from another row's, which may ask for velocities
+
+/// A body's rows, and the best of what was tried.
+struct Choice
+{
+  std::vector<Constraint> Rows;
+  Way Best;
+};
+
+// A body that lands tips over before it lies: its edge is down sooner than the window begins where
+// its centre lies that early.
+FrameWindow TriedOf(const AirContext& run, const Constraint& row)
+{
+  const int settling =
+    IsRest(row.Kind) ? std::min(run.Search.Settling, (row.Frame - row.FrameFrom) / 2) : 0;
+  return { row.FrameFrom + settling, row.Frame };
+}
+
+bool IsBeside(const std::vector<Constraint>& others, int frame)
+{
+  return std::any_of(others.begin(), others.end(),
+                     [&](const Constraint& row)
+                     {
+                       return !IsAttitude(row.Kind) && frame >= EarliestFrame(row) - BesideOthers &&
+                              frame <= LastFrame(row) + BesideOthers;
+                     });
+}
+
+void SetArrivals(const std::pair<int, int>& key, int frame, std::vector<Constraint>& rows)
+{
+  for (Constraint& row : rows)
+  {
+    if (std::pair(row.Row, row.Target) == key)
+    {
+      SetArrival(frame, row);
+    }
+  }
+}
+
+double PlaceOf(double frame, const std::vector<std::pair<double, double>>& from)
+{
+  for (std::size_t i = 0; i + 1 < from.size(); ++i)
+  {
+    const auto& [a, u] = from[i];
+    const auto& [b, v] = from[i + 1];
+    if (frame <= b)
+    {
+      return b > a ? u + (frame - a) / (b - a) * (v - u) : v;
+    }
+  }
+  return from.back().second;
+}
+
+// A way that is there at one frame, at another: faster or slower from the row before to the next.
+std::vector<Vec3> Retimed(const std::vector<Vec3>& path, const std::vector<Constraint>& others,
+                          int was, int now)
+{
+  const int last = static_cast<int>(path.size()) - 1;
+  int before = 0, next = last;
+  for (const Constraint& row : others)
+  {
+    if (IsPositional(row.Kind))
+    {
+      before = LastFrame(row) < std::min(was, now) ? std::max(before, LastFrame(row)) : before;
+      next = EarliestFrame(row) > std::max(was, now) ? std::min(next, EarliestFrame(row)) : next;
+    }
+  }
+  const std::vector<std::pair<double, double>> times{
+    { 0, 0 }, { before, before }, { now, was }, { next, next }, { last, last }
+  };
+  std::vector<Vec3> retimed;
+  for (int f = 0; f <= last; ++f)
+  {
+    const double at = PlaceOf(f, times);
+    const auto low = static_cast<std::size_t>(at);
+    const std::size_t high = std::min(low + 1, path.size() - 1);
+    retimed.push_back(path[low] + (at - static_cast<double>(low)) * (path[high] - path[low]));
+  }
+  return retimed;
+}
+
+class WhenOfBody
+{
+public:
+  WhenOfBody(const AirContext& run, const AirSampler& air, const MotionObject& object,
+             const std::vector<Vec3>& plan, std::vector<Constraint> rows) :
+    Run(run),
+    Air(air), Object(object)
+  {
+    this->Found.Rows = std::move(rows);
+    this->Found.Best.Path = plan;
+  }
+
+  Choice Choose()
+  {
+    std::vector<Constraint> open;
+    std::copy_if(this->Found.Rows.begin(), this->Found.Rows.end(), std::back_inserter(open),
+                 [](const Constraint& row) { return row.IsOpenWindow && IsPositional(row.Kind); });
+    std::stable_sort(open.begin(), open.end(),
+                     [](const Constraint& a, const Constraint& b)
+                     { return a.FrameFrom < b.FrameFrom; });
+    const int passes = open.size() > 1 ? Passes : 1;
+    for (int pass = 0; pass < passes; ++pass)
+    {
+      for (const Constraint& row : open)
+      {
+        this->Choose(row);
+      }
+    }
+    return std::move(this->Found);
+  }
+
+private:
+  void Choose(const Constraint& row)
+  {
+    const std::pair<int, int> key(row.Row, row.Target);
+    std::vector<Constraint> others;
+    std::copy_if(this->Found.Rows.begin(), this->Found.Rows.end(), std::back_inserter(others),
+                 [&](const Constraint& other)
+                 { return std::pair(other.Row, other.Target) != key; });
+    const std::vector<Vec3> before = std::move(this->Found.Best.Path);
+    this->Found.Best = Way();
+    int now = row.Frame; // as it is on the way so far
+    for (const Constraint& own : this->Found.Rows)
+    {
+      now = std::pair(own.Row, own.Target) == key ? own.Frame : now;
+    }
+    int best = now;
+    const FrameWindow tried = TriedOf(this->Run, row);
+    std::set<int> done;
+    const auto attempt = [&](int frame)
+    {
+      if (frame < tried.From || frame > tried.To || !done.insert(frame).second ||
+          (done.size() > 1 && IsBeside(others, frame)))
+      {
+        return;
+      }
+      std::vector<Constraint> rows = this->Found.Rows;
+      SetArrivals(key, frame, rows);
+      BodyProblem body = ProblemOf(this->Run, this->Object, before, rows);
+      std::vector<std::vector<Vec3>> starts = OtherStarts(this->Air, body);
+      starts.push_back(Retimed(before, others, now, frame));
+      Way way = LeastDrift(this->Run, this->Air, body, FurtherIterations, std::move(starts));
+      way.Cost /= body.NumberOfFlownSteps(); // lying costs nothing, and would end each flight early
+      const bool isBetter = way.Passes == this->Found.Best.Passes ? way.Cost < this->Found.Best.Cost
+                                                                  : this->Found.Best.Passes;
+      if (done.size() == 1 || isBetter)
+      {
+        best = frame;
+        this->Found.Best = std::move(way);
+      }
+    };
+    const int length = tried.To - tried.From;
+    const int most = std::max(FewestTried, 1 + length / this->Run.Search.Step);
+    double step = static_cast<double>(length) / (most - 1);
+    attempt(now);
+    for (const int frame : FramesOf(this->Run, row, others, most))
+    {
+      attempt(frame);
+    }
+    for (int k = 0; k < FinerSteps; ++k)
+    {
+      step /= 3.0;
+      const int from = best;
+      const int shift = std::max(1, static_cast<int>(std::lround(step)));
+      attempt(from - shift);
+      attempt(from + shift);
+    }
+    SetArrivals(key, best, this->Found.Rows);
+  }
+
+  const AirContext& Run;
+  const AirSampler& Air;
+  const MotionObject& Object;
+  Choice Found;
+};
+
+} // namespace
+
+std::vector<int> FramesOf(const AirContext& run, const Constraint& row,
+                          const std::vector<Constraint>& others, int most)
+{
+  if (!row.IsOpenWindow)
+  {
+    return { row.Frame };
+  }
+  std::vector<int> frames;
+  for (int k = 0; k < most; ++k)
+  {
+    const int frame =
+      FrameAt(TriedOf(run, row), TimeSpread::Even, static_cast<double>(k) / std::max(1, most - 1));
+    if (!IsBeside(others, frame) && (frames.empty() || frames.back() != frame))
+    {
+      frames.push_back(frame);
+    }
+  }
+  return frames;
+}
+
+Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
+                  AssimilationOutput& output, int& chosen)
+{
+  const RowsOfObjects places(run.Rows);
+  std::vector<char> isOpen(run.Input.Tracks.size(), 0);
+  for (std::size_t o = 0; o < isOpen.size(); ++o)
+  {
+    for (const std::size_t i : places.Of(run.Input.Tracks[o].ObjectId))
+    {
+      isOpen[o] |= run.Rows[i].IsOpenWindow && IsBinding(run.Rows[i], output.Report) ? 1 : 0;
+    }
+  }
+  chosen = static_cast<int>(std::count(isOpen.begin(), isOpen.end(), 1));
+  if (chosen == 0)
+  {
+    return Result::Ok();
+  }
+  const AirSampler air(series);
+  PartMonitor monitor(run.Caller, DrawEnd, DrawEnd, "Choosing when each arrives by the air");
+  run.Parallel(isOpen.size(),
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t o = begin; o < end && monitor.Tick(-1.0, ""); ++o)
+                 {
+                   const BodyProblem& body = bodies.Problems[o];
+                   if (!isOpen[o])
+                   {
+                     continue;
+                   }
+                   std::vector<Constraint> rows;
+                   std::copy_if(body.Rows().begin(), body.Rows().end(), std::back_inserter(rows),
+                                [](const Constraint& row) { return row.Row != OfNoRow; });
+                   Choice choice =
+                     WhenOfBody(run, air, body.Object(), run.Plans[o], std::move(rows)).Choose();
+                   for (const Constraint& row : choice.Rows)
+                   {
+                     for (const std::size_t i : places.Of(row.ObjectId))
+                     {
+                       const bool isIts = run.Rows[i].Row == row.Row &&
+                                          run.Rows[i].Target == row.Target &&
+                                          run.Rows[i].IsOpenWindow && !row.IsOpenWindow;
+                       if (isIts)
+                       {
+                         SetArrival(row.Frame, run.Rows[i]);
+                       }
+                     }
+                   }
+                   run.Plans[o] = std::move(choice.Best.Path);
+                 }
+               });
+  if (!monitor.Tick(-1.0, ""))
+  {
+    return Result::Stopped();
+  }
+  return SetUpBodies(run, bodies, output);
+}
+
+} // namespace waft

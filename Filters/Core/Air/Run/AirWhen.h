@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When each object comes in a window of frames, by the air.
+#pragma once
+
+#include "Air/Run/AirState.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// Frames of a row's window that are tried for the object of `others`, its rows: `most` of them,
+/// spread evenly, less those at which another row asks where it is; of a row without an open window
+/// its own frame.
+std::vector<int> FramesOf(const AirContext& run, const Constraint& row,
+                          const std::vector<Constraint>& others, int most);
+
+/// Rows whose windows are open take the frame, each object's one after another in time, at which
+/// its least control in an air is least; those that do not bind stay open. Rows, plans and bodies
+/// of the run are then those; the drift that was found is the plan of who comes at another frame
+/// than it was planned to. chosen: objects with such rows.
+Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
+                  AssimilationOutput& output, int& chosen);
+
+} // namespace waft

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When rows of an entry are met: at one frame, or each at one of its own in a window.
+#include "Scene/SceneReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+namespace waft
+{
+namespace
+{
+
+constexpr std::uint64_t OrderStream = 0x6f72646572;
+constexpr const char* Orders =
+  "air, left-to-right, right-to-left, top-down, bottom-up, outward, inward, random, letters, "
+  "words, lines, {\"direction\": [x, y, z]} or a list of ranks";
+
+template <class Target>
+std::vector<double> KeysOf(const std::vector<Target>& targets,
+                           const std::function<double(const Target&)>& key)
+{
+  std::vector<double> keys;
+  std::transform(targets.begin(), targets.end(), std::back_inserter(keys), key);
+  return keys;
+}
+
+TimeSpread ReadSpread(const SceneNode& node)
+{
+  if (!node.Has("spread"))
+  {
+    return TimeSpread::Even;
+  }
+  const SceneNode field = node.At("spread", "");
+  const TimeSpread* found = FindTimeSpread(field.Text());
+  if (found == nullptr)
+  {
+    field.Fail("even, ease-in or ease-out");
+  }
+  return *found;
+}
+
+} // namespace
+
+void SceneReader::RowTimes::Set(std::size_t target, Constraint& row) const
+{
+  row.FrameFrom = this->IsWindow ? this->Window.From : -1;
+  row.IsOpenWindow = this->IsOpen;
+  row.Frame = this->Frames.empty() ? this->Window.To : this->Frames[target];
+  row.Until = row.Frame;
+}
+
+SceneReader::RowTimes SceneReader::ReadTimes(const SceneNode& node,
+                                             const std::vector<Target>& targets, int row) const
+{
+  RowTimes times;
+  const SceneNode frame = node.At("frame", "a frame of the scene");
+  times.IsWindow = frame.Json().is_object();
+  const bool isByAir =
+    !node.Has("order") || (node.At("order", "").IsString() && node.At("order", "").Text() == "air");
+  const TimeSpread spread = ReadSpread(node);
+  if (!times.IsWindow && !isByAir)
+  {
+    node.At("order", "").FailWith("expected `order` only where `frame` is a window {`from`, `to`}");
+  }
+  if (isByAir && spread != TimeSpread::Even)
+  {
+    node.At("spread", "")
+      .FailWith("expected `spread` only with an `order` other than air, which "
+                "takes the frames of least control");
+  }
+  if (!times.IsWindow)
+  {
+    times.Window.From = times.Window.To = this->Frame(frame);
+    return times;
+  }
+  frame.CheckFields("window");
+  times.Window.From = this->Frame(frame.At("from", "the first frame of the window"));
+  const SceneNode to = frame.At("to", "the last frame of the window");
+  times.Window.To = static_cast<int>(to.Integer(
+    times.Window.From, this->Out.Info.Time.NumberOfFrames - 1, "a frame not before `from`"));
+  if (isByAir)
+  {
+    times.IsOpen = times.Window.To > times.Window.From;
+    return times;
+  }
+  const SceneNode order = node.At("order", "");
+  const bool isInGroups = order.IsString() && (order.Text() == "letters" ||
+                                               order.Text() == "words" || order.Text() == "lines");
+  for (const double part : this->ReadOrder(order, targets, spread, row))
+  {
+    times.Frames.push_back(FrameAt(times.Window, isInGroups ? TimeSpread::Even : spread, part));
+  }
+  return times;
+}
+
+std::vector<double> SceneReader::ReadOrder(const SceneNode& node,
+                                           const std::vector<Target>& targets, TimeSpread spread,
+                                           int row) const
+{
+  const auto byKey = [&](const std::function<double(const Target&)>& key)
+  { return PartsByKey(KeysOf<Target>(targets, key)); };
+  if (node.IsArray())
+  {
+    const std::size_t count = node.Size("a list of ranks");
+    if (count != targets.size())
+    {
+      node.FailWith("expected " + std::to_string(targets.size()) + " ranks, one a target, found " +
+                    std::to_string(count));
+    }
+    std::vector<int> ranks;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      ranks.push_back(static_cast<int>(node.Item(i).Integer(0, static_cast<std::int64_t>(count) - 1,
+                                                            "a rank below the number of targets")));
+    }
+    return PartsByRank(ranks);
+  }
+  if (node.Json().is_object())
+  {
+    node.CheckFields("orderDirection");
+    const SceneNode direction = node.At("direction", "a direction [x, y, z]");
+    const Vec3 along = direction.Vector();
+    if (!(along.norm() > 1e-12))
+    {
+      direction.Fail("a direction that is not zero");
+    }
+    return byKey([&](const Target& target) { return target.Position.dot(along); });
+  }
+  if (!node.IsString())
+  {
+    node.Fail(Orders);
+  }
+  const std::string word = node.Text();
+  if (word == "letters" || word == "words" || word == "lines")
+  {
+    std::vector<int> groups;
+    for (const Target& target : targets)
+    {
+      if (!target.Place)
+      {
+        node.FailWith("expected an order by " + word + " only of targets that are a text");
+      }
+      groups.push_back(word == "letters" ? target.Place->Letter
+                       : word == "words" ? target.Place->Word
+                                         : target.Place->Line);
+    }
+    return PartsByGroup(groups, spread);
+  }
+  if (word == "random")
+  {
+    return PartsByChance(targets.size(), this->Out.Info.Seed,
+                         OrderStream + static_cast<std::uint64_t>(row));
+  }
+  if (word == "left-to-right" || word == "right-to-left")
+  {
+    const double sign = word == "left-to-right" ? 1.0 : -1.0;
+    return byKey([&](const Target& target) { return sign * target.Across; });
+  }
+  if (word == "bottom-up" || word == "top-down")
+  {
+    const double sign = word == "bottom-up" ? 1.0 : -1.0;
+    return byKey([&](const Target& target) { return sign * target.Up; });
+  }
+  if (word == "outward" || word == "inward")
+  {
+    Vec3 middle = Vec3::Zero();
+    for (const Target& target : targets)
+    {
+      middle += target.Position / static_cast<double>(targets.size());
+    }
+    const double sign = word == "outward" ? 1.0 : -1.0;
+    return byKey([&](const Target& target) { return sign * (target.Position - middle).norm(); });
+  }
+  node.Fail(Orders);
+}
+
+} // namespace waft

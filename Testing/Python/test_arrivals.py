@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Windows of frames in place of a frame: who comes when, in the arrays of the reader and of flights, and in constraints.csv.
+
+    pvpython run.py test_arrivals.py
+"""
+import csv
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+import waft
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from waft.vtkWaftSources import vtkMotionSceneReader
+
+FRAMES = 120
+COARSE = {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 0, "Starts": 1}
+SHORT = {"NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6}
+WINDOW = {"from": 50, "to": 80}
+POINTS = [(0.3 * k - 1.0, 0.2 * (k % 3), 0.9 + 0.1 * (k % 2)) for k in range(8)]
+
+
+def scene(order=None, spread=None, **keyframe):
+    made = waft.Scene("Arrivals", seed=4)
+    made.set_time(FRAMES)
+    made.add_objects("petal", count=8, region={"min": (-1.4, -1.4, 1.6), "max": (1.4, 1.4, 2.4)})
+    made.add_keyframe(WINDOW, points=POINTS, order=order, spread=spread, **keyframe)
+    return made
+
+
+def arrays(data, *names):
+    return [vtk_to_numpy(data.GetPointData().GetArray(name)) for name in names]
+
+
+def lines(run):
+    """Of the report by target, their frames as numbers."""
+    names = ("Target", "ObjectId", "Frame", "Arrival", "Settled")
+    return {int(row["Target"]): {name: int(row[name]) for name in names} for row in run.report}
+
+
+class ArrivalsTest(unittest.TestCase):
+    def fly(self, made, quality="preview"):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        run = waft.synthesize(made, output=pathlib.Path(folder.name) / "out", quality=quality, threads=1,
+                              _settings={"Assimilation": COARSE} if quality == "preview" else {"Spacetime": SHORT})
+        self.assertEqual([], [row["Message"] for row in run.report if row["Status"] != "met"])
+        return run
+
+    def check_marks(self, run):
+        """Each object is at its mark at the frame of its row; that in all tables."""
+        rows = lines(run)
+        with open(pathlib.Path(run.folder) / "constraints.csv", encoding="utf-8", newline="") as stream:
+            for line in csv.DictReader(stream):
+                self.assertEqual(int(line["Frame"]), int(line["Arrival"]))
+                self.assertEqual(rows[int(line["Target"])]["Arrival"], int(line["Arrival"]))
+        ids = list(run.object_ids)
+        for target, row in rows.items():
+            there = run.positions[ids.index(row["ObjectId"]), row["Arrival"]]
+            np.testing.assert_allclose(there[:2], POINTS[target][:2], atol=1e-9)
+        return [rows[target]["Arrival"] for target in range(8)]
+
+    def test_an_order_is_kept_to_the_frame(self):
+        expected = [50 + round(30 * (k / 7) ** 2) for k in range(8)]
+        made = scene("left-to-right", "ease-in")
+        self.assertEqual(expected, self.check_marks(self.fly(made)))
+
+    def test_the_air_chooses_frames_of_the_window(self):
+        run = self.fly(scene())
+        frames = self.check_marks(run)
+        self.assertTrue(all(50 <= frame <= 80 for frame in frames), frames)
+        self.assertGreater(len(set(frames)), 2)
+        given = run.output("assimilation", 3)
+        frame, first, arrival = arrays(given, "Frame", "FrameFrom", "Arrival")
+        self.assertEqual([50] * 8, list(first[:8]))  # what flies on lands by rows of no scene, behind them
+        self.assertEqual(list(frame), list(arrival))
+        tracks = run.output("assimilation").GetCellData()
+        by_object = dict(zip(vtk_to_numpy(tracks.GetArray("ObjectId")), vtk_to_numpy(tracks.GetArray("Arrival"))))
+        for row in lines(run).values():
+            self.assertEqual(row["Arrival"], by_object[row["ObjectId"]])
+        # Without an air they come at the window's end.
+        self.assertEqual([80] * 8, self.check_marks(self.fly(scene(), "paper")))
+
+    def test_rests_lie_from_their_frames_on(self):
+        run = self.fly(scene("random", velocity="rest"))
+        frames = self.check_marks(run)
+        self.assertEqual(sorted(50 + round(30 * k / 7) for k in range(8)), sorted(frames))
+        ids = list(run.object_ids)
+        for row in lines(run).values():
+            self.assertLessEqual(row["Settled"], row["Arrival"] + 30)
+            path = run.positions[ids.index(row["ObjectId"])]
+            np.testing.assert_array_equal(path[row["Settled"]:], np.broadcast_to(path[-1], path[row["Settled"]:].shape))
+
+    def test_the_reader_leaves_open_what_the_air_chooses(self):
+        for order, last in ((None, 80), ("outward", 50)):
+            made = scene(order)
+            made.add_velocity(0, 20, (0, 0, 0), radius=10.0)
+            with tempfile.TemporaryDirectory() as folder:
+                file = pathlib.Path(folder) / "scene.waft.json"
+                made.save(file)
+                reader = vtkMotionSceneReader()
+                reader.SetFileName(str(file))
+                reader.Update()
+                frame, first, arrival = arrays(reader.GetOutputDataObject(1), "Frame", "FrameFrom", "Arrival")
+            self.assertEqual([50] * 8 + [-1], list(first))
+            self.assertEqual(20, arrival[8])
+            self.assertEqual(last, min(frame[:8]))
+            self.assertEqual([-1] * 8 if order is None else list(frame[:8]), list(arrival[:8]))
