@@ -102,6 +102,7 @@ Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput&
         near.Kind = ConstraintKind::Position;
         near.Value = plan[static_cast<std::size_t>(row.Frame)];
         near.Radius = 0.0;
+        near.IsOpenWindow = false;
         rows.push_back(near);
       }
     }
