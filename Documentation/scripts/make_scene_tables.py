@@ -18,6 +18,7 @@ PLACES = [
     ("/constraints[]", {kind: kind + "Constraint"
                         for kind in ("position", "rest", "velocity", "acceleration", "orientation", "path", "keyframe")}),
     ("window", {"": "window"}),
+    ("releases", {"": "releases"}),
     ("orderDirection", {"": "orderDirection"}),
     ("facing", {"": "facing"}),
     ("targets", {"points": "pointTargets", "text": "textTargets", "picture": "imageTargets", "mesh": "meshTargets"}),

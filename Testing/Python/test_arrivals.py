@@ -20,10 +20,10 @@ WINDOW = {"from": 50, "to": 80}
 POINTS = [(0.3 * k - 1.0, 0.2 * (k % 3), 0.9 + 0.1 * (k % 2)) for k in range(8)]
 
 
-def scene(order=None, spread=None, **keyframe):
+def scene(order=None, spread=None, objects=None, **keyframe):
     made = waft.Scene("Arrivals", seed=4)
     made.set_time(FRAMES)
-    made.add_objects("petal", count=8, region={"min": (-1.4, -1.4, 1.6), "max": (1.4, 1.4, 2.4)})
+    made.add_objects("petal", count=8, region={"min": (-1.4, -1.4, 1.6), "max": (1.4, 1.4, 2.4)}, **(objects or {}))
     made.add_keyframe(WINDOW, points=POINTS, order=order, spread=spread, **keyframe)
     return made
 
@@ -106,3 +106,21 @@ class ArrivalsTest(unittest.TestCase):
             self.assertEqual(20, arrival[8])
             self.assertEqual(last, min(frame[:8]))
             self.assertEqual([-1] * 8 if order is None else list(frame[:8]), list(arrival[:8]))
+
+    def test_released_one_by_one_they_begin_from_rest(self):
+        made = scene(objects={"release": {"from": 4, "to": 25}, "order": "right-to-left"})
+        for quality in ("preview", "paper"):
+            run = self.fly(made, quality)
+            self.check_marks(run)
+            with open(pathlib.Path(run.folder) / "constraints.csv", encoding="utf-8", newline="") as stream:
+                release = {int(line["ObjectId"]): int(line["Release"]) for line in csv.DictReader(stream)}
+            order = np.argsort(-run.positions[:, 0, 0])  # from the right
+            self.assertEqual([4 + 3 * k for k in range(8)], [release[run.object_ids[k]] for k in order])
+            for path, turns, number in zip(run.positions, run.orientations, run.object_ids):
+                until = release[number] + 1
+                self.assertFalse(np.ptp(path[:until], axis=0).any())
+                self.assertFalse(np.ptp(turns[:until], axis=0).any())
+                if quality == "preview":
+                    self.assertLess(np.linalg.norm(path[until] - path[until - 1]) * 30, 0.35)
+        objects = {int(number): int(frame) for number, frame in zip(*arrays(run.output("reader"), "ObjectId", "Release"))}
+        self.assertEqual(release, objects)

@@ -90,6 +90,7 @@ constexpr const char* Value = "Value";
 constexpr const char* Radius = "Radius";
 constexpr const char* Until = "Until";
 constexpr const char* FrameFrom = "FrameFrom"; // of a window; -1: none
+constexpr const char* Release = "Release";     // -1: it flies from the first frame
 constexpr const char* Arrival = "Arrival";     // -1: not chosen yet, or no row
 constexpr const char* Row = "Row";
 constexpr const char* Target = "Target";

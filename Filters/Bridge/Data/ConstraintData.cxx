@@ -155,6 +155,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
   AddColumn(arrays, names::FrameFrom, constraints, &Constraint::FrameFrom);
   AddColumn(arrays, names::Arrival, constraints, ArrivalOf);
+  AddColumn(arrays, names::Release, constraints, &Constraint::Release);
   AddColumn(arrays, names::TouchDown, constraints, &Constraint::TouchDown);
   AddColumn(arrays, names::Settled, constraints, &Constraint::Settled);
   AddColumn(arrays, names::LiftOff, constraints, &Constraint::LiftOff);
@@ -198,6 +199,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::FrameFrom, &Constraint::FrameFrom));
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Arrival, arrivals, &met));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Release, &Constraint::Release));
   WAFT_RETURN_IF_FAILED(readOptional(names::TouchDown, &Constraint::TouchDown));
   WAFT_RETURN_IF_FAILED(readOptional(names::Settled, &Constraint::Settled));
   WAFT_RETURN_IF_FAILED(readOptional(names::LiftOff, &Constraint::LiftOff));
@@ -372,6 +374,7 @@ void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, v
   AddColumn(columns, names::TouchDown, report, &ReportRow::TouchDown);
   AddColumn(columns, names::Settled, report, &ReportRow::Settled);
   AddColumn(columns, names::Arrival, report, &ReportRow::Arrival);
+  AddColumn(columns, names::Release, report, &ReportRow::Release);
   SceneInfoToFieldData(info, table);
 }
 
@@ -392,9 +395,10 @@ Result ReportFromTable(vtkTable* table, const std::string& owner, std::vector<Re
     WAFT_RETURN_IF_FAILED(cells.Read(names::Message, line.Message));
     WAFT_RETURN_IF_FAILED(cells.Read(names::TouchDown, line.TouchDown));
     WAFT_RETURN_IF_FAILED(cells.Read(names::Settled, line.Settled));
-    if (table->GetColumnByName(names::Arrival) != nullptr) // not of older runs
+    if (table->GetColumnByName(names::Release) != nullptr) // not of older runs
     {
       WAFT_RETURN_IF_FAILED(cells.Read(names::Arrival, line.Arrival));
+      WAFT_RETURN_IF_FAILED(cells.Read(names::Release, line.Release));
     }
   }
   report = std::move(read);

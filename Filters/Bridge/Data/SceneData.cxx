@@ -114,6 +114,7 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
   AddColumn(arrays, names::ClassId, objects, &MotionObject::ClassId);
   AddColumn(arrays, names::ClearanceRadius, objects, &MotionObject::ClearanceRadius);
   AddColumn(arrays, names::RestHeight, objects, &MotionObject::RestHeight);
+  AddColumn(arrays, names::Release, objects, &MotionObject::Release);
   SceneInfoToFieldData(info, data);
 }
 
@@ -176,6 +177,7 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   WAFT_RETURN_IF_FAILED(readOptional(names::SettlingSpeed, &MotionObject::SettlingSpeed));
   WAFT_RETURN_IF_FAILED(readOptional(names::ClearanceRadius, &MotionObject::ClearanceRadius));
   WAFT_RETURN_IF_FAILED(readOptional(names::RestHeight, &MotionObject::RestHeight));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Release, &MotionObject::Release));
   WAFT_RETURN_IF_FAILED(NumberObjects(source, read));
   std::set<int> seen;
   for (std::size_t i = 0; i < read.size(); ++i)

@@ -3,6 +3,7 @@
 
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/Columns.h"
 #include "Bridge/Data/LineValues.h"
 #include "Bridge/Data/SceneData.h"
 
@@ -248,6 +249,7 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
     AddVectors(arrays, names::AngularVelocity, joined(&Track::AngularVelocities, zero));
   }
   AddInts(data->GetCellData(), names::ObjectId, objectIds);
+  AddColumn(data->GetCellData(), names::Release, tracks, &Track::Release);
   SceneInfoToFieldData(info, data);
 }
 
@@ -273,6 +275,7 @@ Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const st
   {
     read[cell].ObjectId = ids[cell];
   }
+  WAFT_RETURN_IF_FAILED(ReadOptionalColumn(cells, names::Release, read, &Track::Release));
   tracks = std::move(read);
   return Result::Ok();
 }

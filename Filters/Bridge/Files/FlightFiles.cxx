@@ -317,7 +317,7 @@ Result Flight::WriteTables()
   WAFT_RETURN_IF_FAILED(
     WriteCsv(this->PathOf("constraints.csv"), report,
              { "Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message",
-               "TouchDown", "Settled", "LiftOff", "Arrival" }));
+               "TouchDown", "Settled", "LiftOff", "Arrival", "Release" }));
   ConvergenceToTable(this->Made.Optimised.Convergence, this->Info(), this->Convergence);
   WAFT_RETURN_IF_FAILED(WriteCsv(this->PathOf("convergence.csv"), this->Convergence, {}));
   if (!this->IsAssimilated())

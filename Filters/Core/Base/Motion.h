@@ -36,6 +36,11 @@ struct MotionObject
   double SettlingSpeed = 0.8;          // m/s, terminal fall speed in still air
   double ClearanceRadius = 0.05;       // m, half the largest extent
   double RestHeight = 0.0; // m, height of the centre of mass above a plane that the body lies on
+  /// The frame until which it hangs still at its Position; -1: it flies from the first frame.
+  int Release = -1;
+
+  /// The frame from which it flies.
+  int Released() const { return this->Release > 0 ? this->Release : 0; }
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -53,6 +58,7 @@ struct MotionObject
     visit(of.SettlingSpeed...);
     visit(of.ClearanceRadius...);
     visit(of.RestHeight...);
+    visit(of.Release...);
   }
 };
 
@@ -61,6 +67,7 @@ struct MotionObject
 struct Track
 {
   int ObjectId = 0;
+  int Release = -1;                      // of the object
   std::vector<Vec3> Positions;           // m
   std::vector<Vec3> SphVelocities;       // m/s, the optimiser's raw unknown
   std::vector<ForceType> ForceTypes;     // annotation
@@ -80,6 +87,7 @@ struct Track
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(of.ObjectId...);
+    visit(of.Release...);
     visit(of.Positions...);
     visit(of.SphVelocities...);
     visit(of.ForceTypes...);

@@ -59,7 +59,7 @@ std::vector<Leg> LegsOf(const Scene& scene, const std::vector<Constraint>& rows)
     std::stable_sort(own.begin(), own.end(),
                      [](const Constraint* a, const Constraint* b) { return a->Frame < b->Frame; });
     Vec3 place = object.Position;
-    int frame = 0, source = -1;
+    int frame = object.Released(), source = -1;
     double room = 0.0;
     for (const Constraint* row : own)
     {

@@ -14,10 +14,11 @@ struct PortArrays
     "points: ObjectId int; ObjectIdGiven byte; ShapeId int; Mass double kg; Velocity double*3 m/s; "
     "VelocityGiven byte; Orientation double*4 w, x, y, z; OrientationGiven byte; "
     "AngularVelocity double*3 rad/s; SettlingSpeed double m/s; ClassId int; "
-    "ClearanceRadius double m; RestHeight double m; Arrival int";
+    "ClearanceRadius double m; RestHeight double m; Release int; Arrival int";
   const std::string Constraints =
     "points: ObjectId int; Frame int; Kind byte; Value double*4 of the kind; "
-    "Radius double of the kind; Until int; FrameFrom int; Arrival int; TouchDown int; Settled int; "
+    "Radius double of the kind; Until int; FrameFrom int; Arrival int; Release int; TouchDown int; "
+    "Settled int; "
     "LiftOff int; Row int; "
     "Target int; Group int; ClassId int; FaceUp byte; Facing double*3; FacingTolerance double rad; "
     "Choice byte; Status int";
@@ -34,7 +35,7 @@ struct PortArrays
   const std::string Air = "points: Velocity float*3 m/s; Wind float*3 m/s^2";
   const std::string Report = "rows: Row int; Target int; ObjectId int; Frame int; Kind text; "
                              "Residual double of the kind; Status text; Message text; "
-                             "TouchDown int; Settled int; Arrival int";
+                             "TouchDown int; Settled int; Arrival int; Release int";
   const std::string PlannedReport = Report + "; whole: TopSpeed double m/s";
   const std::string Trees = "cells: ObjectId int; Span int; Tree int; Parent int; Segment int; "
                             "Frame int; Cost double";
@@ -66,7 +67,7 @@ struct PortArrays
                             "WindAcceleration double*3 m/s^2";
   const std::string Turned = "; Slip double*3 m/s; Orientation double*4 w, x, y, z; "
                              "AngularVelocity double*3 rad/s";
-  const std::string OfLines = "; cells: ObjectId int";
+  const std::string OfLines = "; cells: ObjectId int; Release int";
   const std::string Touched = "; TouchDown int; Settled int; Arrival int";
   const std::string Planned = Moved + OfLines;
   const std::string Drifted = Moved + "; AirVelocity double*3 m/s" + Turned +

@@ -17,20 +17,6 @@ namespace
 constexpr TimeSpread Spreads[] = { TimeSpread::Even, TimeSpread::EaseIn, TimeSpread::EaseOut };
 static_assert(std::size(Spreads) == NumberOfTimeSpreads);
 
-double Spread(TimeSpread spread, double part)
-{
-  switch (spread)
-  {
-    case TimeSpread::Even:
-      break;
-    case TimeSpread::EaseIn:
-      return part * part;
-    case TimeSpread::EaseOut:
-      return 1.0 - (1.0 - part) * (1.0 - part);
-  }
-  return part;
-}
-
 } // namespace
 
 const char* ToString(TimeSpread spread)
@@ -54,9 +40,23 @@ const TimeSpread* FindTimeSpread(const std::string& name)
   return found == std::end(Spreads) ? nullptr : found;
 }
 
+double SpreadOf(TimeSpread spread, double part)
+{
+  switch (spread)
+  {
+    case TimeSpread::Even:
+      break;
+    case TimeSpread::EaseIn:
+      return part * part;
+    case TimeSpread::EaseOut:
+      return 1.0 - (1.0 - part) * (1.0 - part);
+  }
+  return part;
+}
+
 int FrameAt(const FrameWindow& window, TimeSpread spread, double part)
 {
-  return window.From + static_cast<int>(std::lround(Spread(spread, part) *
+  return window.From + static_cast<int>(std::lround(SpreadOf(spread, part) *
                                                     static_cast<double>(window.To - window.From)));
 }
 
@@ -110,7 +110,7 @@ std::vector<double> PartsByGroup(const std::vector<int>& groups, TimeSpread with
   {
     const auto own = sizes.find(groups[i]);
     const auto before = static_cast<double>(std::distance(sizes.begin(), own));
-    parts.push_back((before + Spread(within, PartOfRank(ranks[i], own->second))) /
+    parts.push_back((before + SpreadOf(within, PartOfRank(ranks[i], own->second))) /
                     static_cast<double>(sizes.size()));
   }
   return parts;

@@ -26,6 +26,8 @@ const char* ToString(TimeSpread spread);
 /// The spread of this name, or null.
 const TimeSpread* FindTimeSpread(const std::string& name);
 
+double SpreadOf(TimeSpread spread, double part);
+
 /// Frames, both included; From is at most To.
 struct FrameWindow
 {

@@ -131,6 +131,7 @@ struct Constraint
   Vec3 Value = Vec3::Zero();           // m, m/s or m/s^2; for rest the point above the surface
   Quat Orientation = Quat::Identity(); // of an orientation row
   double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
+  int Release = -1;                    // of its object; -1: it flies from the first frame
   int Until = 0;                       // rest lasts from Frame to this frame
   int FrameFrom = -1;                  // where a window was asked for, its first frame
   /// It is met at one of the frames from FrameFrom to Frame, of which the air has chosen none yet.
@@ -160,6 +161,7 @@ struct Constraint
     visit(of.Value...);
     visit(of.Orientation...);
     visit(of.Radius...);
+    visit(of.Release...);
     visit(of.Until...);
     visit(of.FrameFrom...);
     visit(of.IsOpenWindow...);
@@ -231,6 +233,7 @@ struct ReportRow
   int TouchDown = -1; // as those of the Constraint, in lines of a stage that knows them
   int Settled = -1;
   int Arrival = -1; // of the row by which it is judged (ArrivalOf)
+  int Release = -1; // of its object
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -246,6 +249,7 @@ struct ReportRow
     visit(of.TouchDown...);
     visit(of.Settled...);
     visit(of.Arrival...);
+    visit(of.Release...);
   }
 };
 

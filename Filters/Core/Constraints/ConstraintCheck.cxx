@@ -112,6 +112,7 @@ private:
     line.ObjectId = first.ObjectId;
     line.Frame = first.Frame;
     line.Arrival = ArrivalOf(first);
+    line.Release = first.Release;
     line.Kind = first.Kind;
     for (const std::size_t n : members)
     {

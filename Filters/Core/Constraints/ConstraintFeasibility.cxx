@@ -112,6 +112,13 @@ std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
   {
     return "its value or radius is not a finite number, expected numbers and a radius from 0";
   }
+  const bool isHung = object && object->Release > 0 && row.Frame <= object->Release &&
+                      row.Target != OfNoRow && !IsAttitude(row.Kind);
+  if (isHung)
+  {
+    return "object " + std::to_string(object->ObjectId) + " hangs at its start until frame " +
+           std::to_string(object->Release) + ", expected a later frame";
+  }
   switch (row.Kind)
   {
     case ConstraintKind::Position:

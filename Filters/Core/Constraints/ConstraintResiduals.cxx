@@ -28,6 +28,7 @@ struct Finding
   double Excess = 0.0;   // residual over tolerance, of any kind
   std::string Message;
   int ObjectId = -1;
+  int Release = -1;
 };
 
 /// A distance that is no number is as far as can be.
@@ -41,6 +42,7 @@ void Record(const Constraint& row, ConstraintKind kindOfLine, double distance, d
 {
   const double residual = BeyondRadius(row, distance);
   finding.ObjectId = row.ObjectId;
+  finding.Release = row.Release;
   if (row.Kind == kindOfLine)
   {
     finding.Residual = std::max(finding.Residual, residual);
@@ -72,6 +74,7 @@ void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& repor
     }
     line.Residual = std::max(line.Residual, found->second.Residual);
     line.ObjectId = found->second.ObjectId;
+    line.Release = found->second.Release;
     if (line.Status == ConstraintStatus::Met && !found->second.Message.empty())
     {
       line.Status = ConstraintStatus::Unreachable;
@@ -187,6 +190,7 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
     }
     Finding& finding = findings[kind->first];
     finding.ObjectId = row.ObjectId;
+    finding.Release = row.Release;
     if (row.ObjectId < 0)
     {
       finding.Message = "no object was assigned to it";

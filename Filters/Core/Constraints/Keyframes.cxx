@@ -97,7 +97,7 @@ public:
   {
     for (const MotionObject& object : objects)
     {
-      this->Known[object.ObjectId][-1] = { object.Position, -1 };
+      this->Known[object.ObjectId][-1] = { object.Position, object.Release };
     }
     for (const Constraint& row : rows)
     {
@@ -230,16 +230,16 @@ void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Const
       {
         continue;
       }
-      const int object = objects[static_cast<std::size_t>(chosen[t])].ObjectId;
+      const MotionObject& object = objects[static_cast<std::size_t>(chosen[t])];
       for (std::size_t row : open[t]->Rows)
       {
-        rows[row].ObjectId = object;
+        GiveTo(object, rows[row]);
         rows[row].Choice =
           choices.count(group.Id) > 0 ? ObjectChoice::AmongListed : ObjectChoice::AmongAll;
       }
       if (open[t]->HasPosition)
       {
-        known.Add(object, open[t]->Frame, open[t]->Until, open[t]->Position);
+        known.Add(object.ObjectId, open[t]->Frame, open[t]->Until, open[t]->Position);
       }
     }
   }

@@ -12,6 +12,13 @@
 namespace waft
 {
 
+/// An object's.
+inline void GiveTo(const MotionObject& object, Constraint& row)
+{
+  row.ObjectId = object.ObjectId;
+  row.Release = object.Release;
+}
+
 /// Gives each row with ObjectId -1 that is in a group, or is about no position, to an object. Rows
 /// of equal (Row, Target) go to the same object; those of one Group to distinct ones, and to none
 /// that the group names itself; a ClassId asks for an object of that class. Groups are treated in

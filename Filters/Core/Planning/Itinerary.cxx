@@ -18,6 +18,8 @@ public:
   ItineraryMaker(const MotionObject& object, const SceneInfo& scene) : Object(object), Scene(scene)
   {
     this->Marks[0].Position = object.Position;
+    this->Marks[0].Until = object.Released();
+    this->Marks[0].Halts = object.Release > 0;
   }
 
   /// landing: where it lies then.
@@ -90,8 +92,10 @@ public:
         this->Scene.Time.NumberOfFrames > 1)
     {
       first.HasVelocity = true;
+      first.Halts = false;
       first.Velocity = this->Object.Velocity * this->Scene.Time.Step();
-      this->AddRow(1, 0, first.Velocity, 0.0);
+      // At a release of the next step: central differences have the still one before in them.
+      this->AddRow(1, first.Until, (first.Until > 0 ? 0.5 : 1.0) * first.Velocity, 0.0);
     }
     for (auto& [frame, mark] : this->Marks)
     {

@@ -27,6 +27,7 @@ Stop StartOf(const MotionObject& object)
 {
   Stop start;
   start.Value = start.Position = object.Position;
+  start.Last = object.Released();
   return start;
 }
 

@@ -242,7 +242,7 @@ ObjectPlan ObjectPlanner::Run()
   std::size_t shared = 0;               // spans that are the same in it as in Now, from the first
   for (std::size_t i = 0; i < marks.size(); ++i)
   {
-    if (this->Now.Way.Marks[i].IsRest)
+    if (this->Now.Way.Marks[i].IsRest || this->Now.Way.Marks[i].Until > marks[i].Frame)
     {
       this->Now.LieStill(this->Now.Way.Marks[i]);
     }

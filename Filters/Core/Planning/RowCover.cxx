@@ -169,7 +169,7 @@ void CoverRows(const std::vector<MotionObject>& objects, const std::vector<unsig
     isIdle[chosen[w]] = 0;
     for (const std::size_t row : targets[w].Rows)
     {
-      rows[row].ObjectId = objects[chosen[w]].ObjectId;
+      GiveTo(objects[chosen[w]], rows[row]);
       rows[row].Choice = ObjectChoice::AmongAll;
     }
   }

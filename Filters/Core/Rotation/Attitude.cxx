@@ -134,14 +134,23 @@ private:
     else
     {
       const auto stream = OfStarts + static_cast<std::uint64_t>(object.ObjectId);
-      state = StateInFlight(this->Body, this->Path, Random(this->Plan.Seed, stream));
+      Random random(this->Plan.Seed, stream);
+      if (object.Release > 0)
+      {
+        state.Orientation = HangingPose(random);
+        state.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
+      }
+      else
+      {
+        state = StateInFlight(this->Body, this->Path, random);
+      }
     }
     if (const Constraint* key = this->KeyAt(0, 0))
     {
       this->TurnState(this->Towards(state.Orientation, *key) * state.Orientation.conjugate());
       this->Marks.Frames[0].Freedom = PoseFreedom::Fixed;
     }
-    if (object.OrientationGiven != 0 || !object.AngularVelocity.isZero())
+    if (object.Release <= 0 && (object.OrientationGiven != 0 || !object.AngularVelocity.isZero()))
     {
       state.SetAngularVelocity(this->Body, object.AngularVelocity / this->Pace());
     }
@@ -158,11 +167,37 @@ private:
     {
       this->Record(0);
     }
+    this->Hang(std::min(object.Released(), this->Last));
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
       const PlannedRest& rest = this->Plan.Rests.front();
       this->Out.Rests.push_back({ rest.Row, rest.Target, 0, 0 });
       this->LieStill(rest, 0, this->LandingOn(rest).Lay(this->State.Flight.Orientation));
+    }
+  }
+
+  /// Still until it is released; then it turns as it is given to, and its own velocity in the air
+  /// is what keeps it where it was.
+  void Hang(int release)
+  {
+    const MotionObject& object = *this->Plan.Object;
+    FlightState& state = this->State.Flight;
+    for (int k = 0; release > 0 && k <= release; ++k)
+    {
+      this->State.Frame = k;
+      this->Marks.Frames[static_cast<std::size_t>(k)].Freedom = PoseFreedom::Fixed;
+      if (this->HasFlown())
+      {
+        this->TakeFlown(k);
+        continue;
+      }
+      // Differences of the path at the release are half of its first step.
+      const auto still = static_cast<std::size_t>(std::min(k, release - 1));
+      state.SetVelocity(this->Body, this->Path.RelativeVelocities[still]);
+      state.SetAngularVelocity(this->Body, k == release
+                                             ? Vec3(object.AngularVelocity / this->Pace())
+                                             : Vec3(Vec3::Zero()));
+      this->Record(k);
     }
   }
 

@@ -43,6 +43,14 @@ Quat AnyTurn(Random& random)
 }
 } // namespace
 
+Quat HangingPose(Random& random)
+{
+  const double round = 2.0 * std::acos(-1.0);
+  const Quat down(Eigen::AngleAxisd(0.25 * round, Vec3::UnitY())); // x to -z
+  const Quat about(Eigen::AngleAxisd(round * random.Uniform(), Vec3::UnitZ()));
+  return about * down;
+}
+
 FlightState StateInFlight(const FlightBody& body, const FlightPath& path, Random random)
 {
   const auto frames = static_cast<int>(std::ceil(TimeBefore / path.Step));

@@ -8,6 +8,9 @@
 namespace waft
 {
 
+/// That of a body that hangs by its longest side, its x axis: turned about the vertical by chance.
+Quat HangingPose(Random& random);
+
 /// The state after two seconds of flight, from a pose by chance and no turning, in the air of the
 /// path's first frame and within its limit of turning there: no two bodies begin in step, and none
 /// has to find its way of flying first.

@@ -34,7 +34,13 @@ void SceneReader::ReadConstraints(const SceneNode& node)
   for (std::size_t row = 0; row < rows; ++row)
   {
     const SceneNode item = node.Item(row);
+    const std::size_t before = this->Out.Constraints.size();
     this->ReadConstraint(item, static_cast<int>(row));
+    for (std::size_t i = before; i < this->Out.Constraints.size(); ++i)
+    {
+      Constraint& read = this->Out.Constraints[i];
+      read.Release = read.ObjectId >= 0 ? this->Object(read.ObjectId).Release : -1;
+    }
     if (this->Out.Constraints.size() > SceneLists::Rows)
     {
       item.FailWith("expected constraints of at most " + std::to_string(SceneLists::Rows) +
@@ -230,6 +236,7 @@ void SceneReader::AssignChosen(const SceneNode& node)
       continue;
     }
     row.ObjectId = assigned[i].ObjectId;
+    row.Release = assigned[i].Release;
     row.Choice = assigned[i].Choice;
     if (row.ObjectId < 0)
     {

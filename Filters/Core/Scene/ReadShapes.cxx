@@ -214,10 +214,12 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
   {
     positions.push_back(node.At("position", "a point [x, y, z]").Vector());
   }
-  for (const Vec3& position : positions)
+  const std::vector<int> releases = this->ReadReleases(node, positions, static_cast<int>(index));
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
     object.ObjectId = this->FreeId(node);
-    object.Position = position;
+    object.Position = positions[i];
+    object.Release = releases[i];
     this->AddObject(object);
   }
 }

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr std::uint64_t OrderStream = 0x6f72646572;
+constexpr std::uint64_t ReleaseStream = 0x72656c65617365;
 constexpr const char* Orders =
   "air, left-to-right, right-to-left, top-down, bottom-up, outward, inward, random, letters, "
   "words, lines, {\"direction\": [x, y, z]} or a list of ranks";
@@ -93,6 +94,76 @@ SceneReader::RowTimes SceneReader::ReadTimes(const SceneNode& node,
     times.Frames.push_back(FrameAt(times.Window, isInGroups ? TimeSpread::Even : spread, part));
   }
   return times;
+}
+
+std::vector<int> SceneReader::ReadReleases(const SceneNode& node,
+                                           const std::vector<Vec3>& positions, int entry) const
+{
+  const std::size_t count = positions.size();
+  const TimeSpread spread = ReadSpread(node);
+  const bool isSpread = node.Has("release") && node.At("release", "").Json().is_object();
+  const bool isRandom = !node.Has("order") || (node.At("order", "").IsString() &&
+                                               node.At("order", "").Text() == "random");
+  const bool hasWindow = isSpread && node.At("release", "").Has("to");
+  if (!isSpread && !isRandom)
+  {
+    node.At("order", "")
+      .FailWith("expected `order` only where `release` is a window {`from`, "
+                "`to`} or {`from`, `rate`}");
+  }
+  if (!hasWindow && spread != TimeSpread::Even)
+  {
+    node.At("spread", "")
+      .FailWith("expected `spread` only where `release` is a window {`from`, "
+                "`to`}");
+  }
+  if (!isSpread)
+  {
+    const int frame = node.Has("release") ? this->Frame(node.At("release", "")) : 0;
+    return std::vector<int>(count, frame > 0 ? frame : -1);
+  }
+  const SceneNode releases = node.At("release", "");
+  releases.CheckFields("releases");
+  const int last = this->Out.Info.Time.NumberOfFrames - 1;
+  const int from = this->Frame(releases.At("from", "the frame of the first release"));
+  double length = 0.0; // of all releases, frames
+  double rate = 0.0;
+  if (releases.Has("to") == releases.Has("rate"))
+  {
+    releases.FailWith("expected either `to` or `rate` beside `from`");
+  }
+  if (hasWindow)
+  {
+    length =
+      static_cast<double>(releases.At("to", "").Integer(from, last, "a frame not before `from`")) -
+      from;
+  }
+  else if (releases.Take("rate", rate))
+  {
+    length = static_cast<double>(count - 1) * this->Out.Info.Time.FramesPerSecond / rate;
+    if (std::lround(from + length) > last)
+    {
+      releases.At("rate", "")
+        .FailWith("expected a rate by which all " + std::to_string(count) +
+                  " are released by frame " + std::to_string(last));
+    }
+  }
+  std::vector<Target> starts;
+  for (const Vec3& position : positions)
+  {
+    starts.push_back({ position, -1, position.x(), position.z(), {} });
+  }
+  const std::vector<double> parts =
+    node.Has("order") && !isRandom
+      ? this->ReadOrder(node.At("order", ""), starts, spread, entry)
+      : PartsByChance(count, this->Out.Info.Seed,
+                      ReleaseStream + static_cast<std::uint64_t>(entry));
+  std::vector<int> frames;
+  for (const double part : parts)
+  {
+    frames.push_back(from + static_cast<int>(std::lround(SpreadOf(spread, part) * length)));
+  }
+  return frames;
 }
 
 std::vector<double> SceneReader::ReadOrder(const SceneNode& node,

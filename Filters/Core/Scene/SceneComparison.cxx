@@ -79,7 +79,7 @@ bool IsSameObject(const MotionObject& a, const MotionObject& b)
          IsNear(a.Velocity, b.Velocity) && IsNear(a.Orientation, b.Orientation) &&
          IsNear(a.AngularVelocity, b.AngularVelocity) && IsNear(a.Mass, b.Mass) &&
          IsNear(a.SettlingSpeed, b.SettlingSpeed) && IsNear(a.ClearanceRadius, b.ClearanceRadius) &&
-         IsNear(a.RestHeight, b.RestHeight);
+         IsNear(a.RestHeight, b.RestHeight) && a.Released() == b.Released();
 }
 
 bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)

@@ -40,6 +40,25 @@ SceneField FrameOf(const char* name, const char* sentence = "below the number of
   return SceneField(name, Value::Whole, Frame, sentence);
 }
 
+/// Who goes or comes when, of several in a window.
+SceneField Ordered(const char* sentence, const std::vector<std::string>& more = {})
+{
+  std::vector<std::string> words{ "left-to-right", "right-to-left", "top-down", "bottom-up",
+                                  "outward",       "inward",        "random" };
+  words.insert(words.end(), more.begin(), more.end());
+  return SceneField("order", Value::Word, UpTo(SceneLists::Objects), sentence)
+    .Among(std::move(words))
+    .Of("orderDirection")
+    .OrList(SceneLists::Objects);
+}
+
+SceneField SpreadOver(const char* sentence)
+{
+  return SceneField("spread", Value::Word, sentence)
+    .Among({ "even", "ease-in", "ease-out" })
+    .Or("\"even\"");
+}
+
 /// When a position is met; and how those of a window are spread over it.
 Fields Times()
 {
@@ -49,17 +68,11 @@ Fields Times()
             "of its own")
       .Of("window")
       .Required(),
-    SceneField("order", Value::Word, UpTo(SceneLists::Objects),
-               "of a window, who comes when: at the frames of least control, or one after another; "
-               "a list gives each target's rank from 0")
-      .Among({ "air", "left-to-right", "right-to-left", "top-down", "bottom-up", "outward",
-               "inward", "random", "letters", "words", "lines" })
-      .Of("orderDirection")
-      .OrList(SceneLists::Objects)
+    Ordered("of a window, who comes when: at the frames of least control, or one after another; "
+            "a list gives each target's rank from 0",
+            { "air", "letters", "words", "lines" })
       .Or("\"air\""),
-    SceneField("spread", Value::Word, "of an order other than air, over the window")
-      .Among({ "even", "ease-in", "ease-out" })
-      .Or("\"even\""),
+    SpreadOver("of an order other than air, over the window"),
   };
 }
 
@@ -98,6 +111,13 @@ SceneField ShapeOf()
 Fields OfObjects()
 {
   return {
+    FrameOf("release",
+            "until which it hangs still at its start, in the pose given, else by its longest side; "
+            "or each of several at a frame of its own")
+      .Of("releases")
+      .Or("0"),
+    Ordered("of several releases, who goes when").Or("\"random\""),
+    SpreadOver("of releases, over the window"),
     { "velocity", Value::Vector, Velocity, "m/s, exact; default: as the air at its start" },
     { "orientation", Value::Quaternion, Direction,
       "body to world, made unit; default: as in flight, by the seed" },
@@ -240,6 +260,10 @@ std::vector<SceneFieldTable> ObjectTables()
     { "objectsAtPositions",
       Fields{ ShapeOf(), Corner("positions", "m").List(SceneLists::Objects) } + OfObjects(),
       "several objects, given" },
+    { "releases",
+      { FrameOf("from", "the first release").Required(),
+        FrameOf("to", "the last one, not before `from`; this or `rate`"),
+        SceneField("rate", Value::Number, Coefficient, "objects a second") } },
     { "region", { Corner("min", "lowest corner, m"), Corner("max", "highest corner, m") } },
   };
 }

@@ -114,6 +114,9 @@ private:
   int ReadUntil(const SceneNode& node, const RowTimes& times) const;
 
   // ReadTimes.cxx
+  /// Of the objects of an entry, -1 where they fly from the first frame.
+  std::vector<int> ReadReleases(const SceneNode& node, const std::vector<Vec3>& positions,
+                                int entry) const;
   RowTimes ReadTimes(const SceneNode& node, const std::vector<Target>& targets, int row) const;
   std::vector<double> ReadOrder(const SceneNode& node, const std::vector<Target>& targets,
                                 TimeSpread spread, int row) const;

@@ -279,6 +279,10 @@ SceneJson SceneFormat::FormatObject(const MotionObject& object) const
   number("settlingSpeed", object.SettlingSpeed, shape.SettlingSpeed);
   number("clearanceRadius", object.ClearanceRadius, ClearanceRadius(shape));
   number("restHeight", object.RestHeight, RestHeight(shape));
+  if (object.Release > 0)
+  {
+    json["release"] = object.Release;
+  }
   if (object.ClassId != shape.ClassId)
   {
     json["class"] = object.ClassId < 0 ? std::string()

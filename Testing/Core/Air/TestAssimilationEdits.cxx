@@ -235,6 +235,44 @@ TEST(AssimilationStart, IsTheVelocityThatIsGiven)
   EXPECT_LT((begun - input.Objects[0].Velocity).norm(), 1e-12);
 }
 
+TEST(AssimilationStart, OfWhatHangsIsItsRelease)
+{
+  AssimilationInput input = Crossing();
+  for (MotionObject& object : input.Objects)
+  {
+    object.Release = 10;
+  }
+  input.Objects[1].Velocity = Vec3(0.3, -0.2, 0.1);
+  input.Objects[1].VelocityGiven = 1;
+  AssimilationInput early = input;
+  early.Constraints[2].Frame = 10;
+  const AssimilationOutput output = Assimilated(input, Small());
+  for (std::size_t o = 0; o < 3; ++o)
+  {
+    const std::vector<Vec3>& path = output.Tracks[o].Positions;
+    EXPECT_EQ(output.Tracks[o].Release, 10);
+    for (std::size_t f = 0; f <= 10; ++f)
+    {
+      EXPECT_EQ(path[f], input.Objects[o].Position);
+      EXPECT_EQ(output.Free[o][f], f == 10 && o != 1 ? 1 : 0) << o << " " << f;
+    }
+    EXPECT_EQ(path[40], input.Constraints[o].Value);
+    const Vec3 begun = 30.0 * (path[11] - path[10]);
+    if (o == 1)
+    {
+      EXPECT_LT((begun - input.Objects[1].Velocity).norm(), 1e-9);
+    }
+    else
+    {
+      EXPECT_LT(begun.norm(), 0.35) << "from rest, not as the air goes by";
+    }
+  }
+  const AssimilationOutput refused = Assimilated(early, Small());
+  const ReportRow* line = FindLine(refused.Report, 2, 0);
+  EXPECT_EQ(line->Status, ConstraintStatus::Infeasible);
+  EXPECT_NE(line->Message.find("object 2 hangs at its start until frame 10"), std::string::npos);
+}
+
 TEST(AssimilationRows, WhatCannotBeReachedIsComeToAsThePlanDoes)
 {
   AssimilationInput input = Crossing();

@@ -318,6 +318,40 @@ TEST(ReadScene, WindowsAreOpenOrSpreadInOrder)
   EXPECT_FALSE(lying.Constraints[3].IsOpenWindow) << "one frame leaves no choice";
 }
 
+TEST(ReadScene, ObjectsAreReleasedAtFramesOfTheirOwn)
+{
+  const auto releases = [](const std::string& fields)
+  {
+    const Scene scene = Parsed(WithObjects(
+      R"([{"shape": "leaf", "positions": [[1, 0, 3], [0, 0, 3.5], [-1, 0, 2], [0.5, 1, 3]])" +
+        fields + "}]",
+      R"(, "constraints": [{"kind": "position", "object": 2, "frame": 200, "value": [0, 0, 1]}])"));
+    std::vector<int> found;
+    for (const MotionObject& object : scene.Objects)
+    {
+      found.push_back(object.Release);
+    }
+    EXPECT_EQ(scene.Constraints[0].Release, found[2]) << "rows have it of their object";
+    return found;
+  };
+  using Frames = std::vector<int>;
+  EXPECT_EQ(releases(""), (Frames{ -1, -1, -1, -1 }));
+  EXPECT_EQ(releases(R"(, "release": 0)"), (Frames{ -1, -1, -1, -1 }));
+  EXPECT_EQ(releases(R"(, "release": 40)"), (Frames{ 40, 40, 40, 40 }));
+  EXPECT_EQ(releases(R"(, "release": {"from": 0, "to": 90}, "order": "left-to-right")"),
+            (Frames{ 90, 30, 0, 60 }));
+  EXPECT_EQ(releases(R"(, "release": {"from": 10, "to": 100}, "order": "top-down",
+                       "spread": "ease-in")"),
+            (Frames{ 20, 10, 100, 50 }));
+  EXPECT_EQ(releases(R"(, "release": {"from": 10, "rate": 2}, "order": [0, 1, 2, 3])"),
+            (Frames{ 10, 25, 40, 55 }))
+    << "two a second at 30 frames a second";
+  Frames random = releases(R"(, "release": {"from": 10, "to": 100})");
+  EXPECT_EQ(random, releases(R"(, "release": {"from": 10, "to": 100}, "order": "random")"));
+  std::sort(random.begin(), random.end());
+  EXPECT_EQ(random, (Frames{ 10, 40, 70, 100 }));
+}
+
 TEST(ReadScene, LettersWordsAndLinesOfADrawnText)
 {
   // "AB C" above "D": bars of 4 by 8 pixels, C behind a wider gap; B is in two parts above each

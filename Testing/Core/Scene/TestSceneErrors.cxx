@@ -176,6 +176,41 @@ TEST(SceneErrors, NameThePlace)
   }
 }
 
+TEST(SceneErrors, NameTheRelease)
+{
+  const Bad cases[] = {
+    { R"("position": [0, 0, 3], "release": 300)",
+      "/objects/1/release: expected a frame of the scene (an integer from 0 to 299), found 300" },
+    { R"("position": [0, 0, 3], "release": {"from": 3})",
+      "/objects/1/release: expected either `to` or `rate` beside `from`" },
+    { R"("position": [0, 0, 3],
+         "release": {"from": 3, "to": 9, "rate": 1})",
+      "/objects/1/release: expected either `to` or `rate` beside `from`" },
+    { R"("position": [0, 0, 3], "release": {"from": 3, "to": 2})",
+      "/objects/1/release/to: expected a frame not before `from` (an integer from 3 to 299)" },
+    { R"("positions": [[0, 0, 3], [1, 0, 3]],
+         "release": {"from": 290, "rate": 1})",
+      "/objects/1/release/rate: expected a rate by which all 2 are released by frame 299" },
+    { R"("position": [0, 0, 3], "release": 9, "order": "inward")",
+      "/objects/1/order: expected `order` only where `release` is a window" },
+    { R"("position": [0, 0, 3], "release": {"from": 3, "rate": 9},
+         "spread": "ease-in")",
+      "/objects/1/spread: expected `spread` only where `release` is a window" },
+    { R"("position": [0, 0, 3], "release": {"from": 3, "to": 9},
+         "order": "letters")",
+      "/objects/1/order: expected an order by letters only of targets that are a text" },
+  };
+  for (const Bad& bad : cases)
+  {
+    std::string whole = Whole("");
+    const std::string added = std::string(R"(, {"shape": "leaf", )") + bad.Fields + "}]";
+    whole.replace(whole.rfind(']'), 1, added);
+    const std::string message = ErrorOf(whole);
+    EXPECT_EQ(message.find(std::string("test.json: ") + bad.Message), 0u)
+      << bad.Fields << "\n  " << message;
+  }
+}
+
 TEST(SceneErrors, OfATextThatIsTooLong)
 {
   const auto errorOf = [](int length)

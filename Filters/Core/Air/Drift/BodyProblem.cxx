@@ -14,6 +14,7 @@ namespace
 
 constexpr double BarrierMargin = 0.01;     // m, that the penalty asks for besides, at most
 constexpr double HandOverTime = 0.1;       // s, beside what is given
+constexpr double TakingTime = 0.3;         // s, in which it takes up what is released
 constexpr double LargestBarrierGap = 0.02; // m
 constexpr int PerturbationWaves = 3;
 constexpr double PerturbationSize = 0.15; // of L, of the slowest wave
@@ -46,13 +47,29 @@ void BodyProblem::SetSlips(const std::vector<Vec3>& slips)
   }
 }
 
+// From rest, as the air goes by what hangs, to sinking in it.
+std::vector<Vec3> BodyProblem::TakenUp(const AirSampler& air) const
+{
+  const double rate = this->World.Scene.Time.FramesPerSecond;
+  const Vec3 sinking = LawOf(this->Body).Velocity(Vec3::Zero());
+  const Vec3 still =
+    -air.At(std::min(this->Body.Release, this->NumberOfFrames() - 1), this->Body.Position);
+  std::vector<Vec3> slips;
+  for (int k = 0; k + 1 < this->NumberOfFrames(); ++k)
+  {
+    const double taken = SmoothStep((k + 0.5 - this->Body.Release) / (TakingTime * rate));
+    slips.push_back((1.0 - taken) * still + taken * sinking);
+  }
+  return slips;
+}
+
 DriftProblem BodyProblem::In(const AirSampler& air) const
 {
   const Timeline& time = this->World.Scene.Time;
   DriftProblem problem;
   problem.Time = time;
   problem.Law = LawOf(this->Body);
-  problem.Slips = this->Slips;
+  problem.Slips = this->Slips.empty() && this->Body.Release > 0 ? this->TakenUp(air) : this->Slips;
   problem.ResponseTime = this->World.Inertia ? problem.Law.ResponseTime(StandardGravity) : 0.0;
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;
@@ -73,7 +90,8 @@ DriftProblem BodyProblem::In(const AirSampler& air) const
   const auto isGiven = [&](std::size_t k) { return this->IsFixed[k] && this->IsFixed[k + 1]; };
   for (std::size_t k = 0; k < steps; ++k)
   {
-    away[k] = isGiven(k) ? 0.0 : k > 0 ? std::min(away[k], away[k - 1] + 1.0) : away[k];
+    const bool isLetGo = static_cast<int>(k) == this->Body.Release && !this->Body.VelocityGiven;
+    away[k] = isGiven(k) ? 0.0 : k > 0 && !isLetGo ? std::min(away[k], away[k - 1] + 1.0) : away[k];
   }
   const auto isLanding = [&](std::size_t frame)
   {

@@ -106,7 +106,8 @@ public:
   bool IsClear(std::vector<Vec3> path) const;
 
 private:
-  std::vector<int> Marks() const; // fixed frames
+  std::vector<int> Marks() const;                         // fixed frames
+  std::vector<Vec3> TakenUp(const AirSampler& air) const; // slips of a released body, by step
   Constraint& RestOf(const LandingWindow& landing);
   /// The plan, brought to the touch-downs as they are set.
   std::vector<Vec3> RetimedPlan() const;

@@ -29,7 +29,10 @@ void BodyProblem::FixFrames()
     this->IsFixed[static_cast<std::size_t>(frame)] = 1;
     this->Fixed[static_cast<std::size_t>(frame)] = x;
   };
-  fix(0, this->Body.Position);
+  for (int f = 0; f <= std::min(this->Body.Released(), static_cast<int>(frames) - 1); ++f)
+  {
+    fix(f, this->Body.Position);
+  }
   const int last = static_cast<int>(frames) - 1;
   for (const LandingWindow& landing : this->Landings)
   {

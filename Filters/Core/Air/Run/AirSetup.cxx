@@ -60,7 +60,8 @@ BodyProblem ProblemOf(const AirContext& run, const MotionObject& object,
     Constraint row;
     row.ObjectId = object.ObjectId;
     row.Kind = ConstraintKind::Velocity;
-    row.Value = object.Velocity;
+    row.Frame = object.Released();
+    row.Value = (row.Frame > 0 ? 0.5 : 1.0) * object.Velocity; // half of the difference is still
     row.Row = row.Target = OfNoRow;
     rows.push_back(row);
   }

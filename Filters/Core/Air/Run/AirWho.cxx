@@ -27,7 +27,7 @@ void Give(const ChosenTargets& group, const std::vector<std::size_t>& objects, A
   {
     for (const std::size_t i : group.Targets[t].Rows)
     {
-      run.Rows[i].ObjectId = run.Input.Objects[objects[t]].ObjectId;
+      GiveTo(run.Input.Objects[objects[t]], run.Rows[i]);
     }
   }
 }

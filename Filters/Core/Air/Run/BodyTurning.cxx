@@ -209,6 +209,7 @@ Track FlownTrack(const AirBodies& bodies, std::size_t o)
 {
   Track track;
   track.ObjectId = bodies.Problems[o].Object().ObjectId;
+  track.Release = bodies.Problems[o].Object().Release;
   track.Positions = bodies.Paths[o];
   if (!bodies.Poses.empty())
   {

@@ -127,7 +127,8 @@ std::vector<Constraint> RowsOf(const Choosing& choosing, const ChosenTargets& gr
   const ChosenTargets::Target& target = group.Targets[pair.Target];
   const int id = run.Input.Objects[pair.Object].ObjectId;
   std::vector<Constraint> rows = OwnRows(run, places, id, choosing.Counts, choosing.IsOpen);
-  if (pair.Object != target.Object && IsAsked(rows, target.Frame, target.Until))
+  const bool isHung = run.Input.Objects[pair.Object].Release >= target.Frame;
+  if (pair.Object != target.Object && (isHung || IsAsked(rows, target.Frame, target.Until)))
   {
     return {};
   }

@@ -267,10 +267,14 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
   SetUpStarts(input, setup);
   setup.Report = JudgeConstraints(input.Constraints, setup.Objects, setup.Obstacles, input.Scene);
   std::map<int, std::size_t> index;
+  const int last = input.Scene.Time.NumberOfFrames - 1;
   for (std::size_t o = 0; o < setup.Objects.size(); ++o)
   {
     index[setup.Objects[o].ObjectId] = o;
-    Fix(setup, 0, o, setup.Objects[o].Position, 0);
+    for (int f = 0; f <= std::min(setup.Objects[o].Released(), last); ++f)
+    {
+      Fix(setup, f, o, setup.Objects[o].Position, 0);
+    }
   }
   std::vector<Constraint> binding;
   for (const Constraint& row : input.Constraints)

@@ -69,10 +69,10 @@ def read_run(folder, tracks="optimized"):
     data = read_surface(below, f"{tracks}.vtp")
     ids, positions, arrays = _tracks(path, data)
     bounds, rate = bounds_of(data, path), rate_of(data, path, *MEASURED_RATES)
-    slip, radii = _bodies(below, ids)
+    slip, radii, releases = _bodies(below, ids)
     orientations, agreement, limit, posed = _poses(below, ids, positions.shape[1])
     rows = _rows(below)
-    flying, free, touches = flight(rows, ids, positions.shape[1], rate)
+    flying, free, touches = flight(rows, ids, positions.shape[1], rate, releases)
     report = record_of(below, "report.json", REPORT) or {}
     off = np.linalg.norm(posed - positions, axis=2)[flying]
     inertia = report.get("inertia", False)
@@ -98,7 +98,7 @@ def _tracks(path, data):
 
 
 def _bodies(folder, ids):
-    """Settling speeds and clearance radii of objects."""
+    """Settling speeds and clearance radii of objects, and the frames until which they hang."""
     path = folder.path / "objects.vtp"
     columns = read_surface(folder, "objects.vtp").GetPointData()
     place = {number: index for index, number in enumerate(object_ids(columns, path).tolist())}
@@ -108,7 +108,8 @@ def _bodies(folder, ids):
     own = [place[number] for number in ids.tolist()]
     has_radii = columns.HasArray("ClearanceRadius")
     radii = array_of(columns, "ClearanceRadius", path, low=0.0)[own] if has_radii else np.full(len(own), np.nan)
-    return array_of(columns, "SettlingSpeed", path, low=0.0)[own], radii
+    releases = array_of(columns, "Release", path, kind=int, low=-1)[own] if columns.HasArray("Release") else np.full(len(own), -1)
+    return array_of(columns, "SettlingSpeed", path, low=0.0)[own], radii, releases
 
 
 def _poses(folder, ids, frames):
@@ -149,9 +150,9 @@ def _rows(folder):
     return rows
 
 
-def flight(rows, ids, frames, rate):
-    """(in the air, in free flight) [object, frame], and the touch-downs [(object, frame)]. In the air is an object from the start or
-    a lift-off to its touch-down, but for a path that is given frame by frame; free flight leaves out what is near them, and near
+def flight(rows, ids, frames, rate, releases=None):
+    """(in the air, in free flight) [object, frame], and the touch-downs [(object, frame)]. In the air is an object from the start, its
+    release or a lift-off to its touch-down, but for a path that is given frame by frame; free flight leaves out what is near them, and near
     rows of position."""
     flying = np.ones((len(ids), frames), bool)
     free = np.ones((len(ids), frames), bool)
@@ -160,7 +161,9 @@ def flight(rows, ids, frames, rate):
     number = np.arange(frames)
     for index, identity in enumerate(ids):
         own = np.flatnonzero(rows["ObjectId"] == identity)
-        free[index, :start] = False
+        begin = max(int(releases[index]), 0) if releases is not None else 0
+        flying[index, :begin] = False
+        free[index, :begin + start] = False
         for row in own[rows["Kind"][own] == REST]:
             touch = int(rows["TouchDown"][row]) if rows["TouchDown"][row] >= 0 else int(rows["Frame"][row])
             until = max(int(rows["Until"][row]), int(rows["LiftOff"][row]))

@@ -97,7 +97,7 @@ class Scene:
                    orientation: Optional[Quaternion] = None, angular_velocity: Optional[Vector] = None,
                    mass: Optional[float] = None, settling_speed: Optional[float] = None,
                    clearance_radius: Optional[float] = None, rest_height: Optional[float] = None, class_: Optional[str] = None,
-                   comment: Optional[str] = None) -> int:
+                   release: Optional[int] = None, comment: Optional[str] = None) -> int:
         """One object; returns its id. `shape`: one that was added, or a built-in one."""
         entry = self._objects_entry("add_object", "singleObject", locals())
         return self._append_objects("add_object", entry)[0]
@@ -109,7 +109,8 @@ class Scene:
                     angular_velocity: Optional[Vector] = None, mass: Optional[float] = None,
                     settling_speed: Optional[float] = None, clearance_radius: Optional[float] = None,
                     rest_height: Optional[float] = None, class_: Optional[str] = None,
-                    comment: Optional[str] = None) -> List[int]:
+                    release: Union[int, Mapping[str, SupportsFloat], None] = None, order: Optional[Order] = None,
+                    spread: Optional[str] = None, comment: Optional[str] = None) -> List[int]:
         """Several objects: `count` spread in a `region` {"min": ..., "max": ...}, or one at each of `positions`. Returns their
         ids. `shape`: one that was added, or a built-in one."""
         kind = "objectsInRegion" if positions is None else "objectsAtPositions"
