@@ -69,7 +69,8 @@ def check_numbers(planner, spacetime, rotation):
     check(max(abs(n - 1.0) for n in norms) < 1e-9, "quaternions are unit")
     report = turner.GetOutputDataObject(2)
     check([report.GetColumnName(c) for c in range(report.GetNumberOfColumns())]
-          == ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "Settled"],
+          == ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "Settled",
+              "Arrival", "Release"],
           "the report of orientations has the columns of the other reports")
 
     convergence = spacetime.GetClientSideObject().GetOutputDataObject(4)

@@ -71,7 +71,7 @@ class SceneTest(unittest.TestCase):
 
     def test_every_field_of_the_schema_is_an_argument(self):
         entries = {name for name, kind in _schema.schema()["definitions"].items() if kind.get("additionalProperties") is False}
-        self.assertEqual({"region", "motionKey", "facing"}, entries - METHODS.keys())
+        self.assertEqual({"region", "motionKey", "facing", "window", "orderDirection", "releases"}, entries - METHODS.keys())
         for name, method in METHODS.items():
             arguments = set(inspect.signature(getattr(waft.Scene, method)).parameters)
             fields = {_entries.argument_name(field) for field in _schema.definition(name)["properties"]} - {"kind", "targets"}

@@ -15,6 +15,7 @@ from waft.scene._entries import documented, entry_of, refusal, sensible
 from waft.scene._sense import classes_of, last_frame, last_frames, latest, targets_of
 
 Frame = Union[int, Mapping[str, int]]  # or a window {"from": frame, "to": frame}
+Releases = Union[int, Mapping[str, SupportsFloat]]  # or {"from": frame, "to": frame} or {"from": frame, "rate": objects a second}
 Order = Union[str, Mapping[str, Any], Iterable[int]]  # a word, a direction or a list of ranks
 Vector = Iterable[SupportsFloat]  # a tuple, a list, a numpy array, ... of three numbers
 Quaternion = Iterable[SupportsFloat]  # w, x, y, z
@@ -97,7 +98,8 @@ class Scene:
                    orientation: Optional[Quaternion] = None, angular_velocity: Optional[Vector] = None,
                    mass: Optional[float] = None, settling_speed: Optional[float] = None,
                    clearance_radius: Optional[float] = None, rest_height: Optional[float] = None, class_: Optional[str] = None,
-                   release: Optional[int] = None, comment: Optional[str] = None) -> int:
+                   release: Optional[Releases] = None, order: Optional[Order] = None, spread: Optional[str] = None,
+                   comment: Optional[str] = None) -> int:
         """One object; returns its id. `shape`: one that was added, or a built-in one."""
         entry = self._objects_entry("add_object", "singleObject", locals())
         return self._append_objects("add_object", entry)[0]
@@ -109,8 +111,8 @@ class Scene:
                     angular_velocity: Optional[Vector] = None, mass: Optional[float] = None,
                     settling_speed: Optional[float] = None, clearance_radius: Optional[float] = None,
                     rest_height: Optional[float] = None, class_: Optional[str] = None,
-                    release: Union[int, Mapping[str, SupportsFloat], None] = None, order: Optional[Order] = None,
-                    spread: Optional[str] = None, comment: Optional[str] = None) -> List[int]:
+                    release: Optional[Releases] = None, order: Optional[Order] = None, spread: Optional[str] = None,
+                    comment: Optional[str] = None) -> List[int]:
         """Several objects: `count` spread in a `region` {"min": ..., "max": ...}, or one at each of `positions`. Returns their
         ids. `shape`: one that was added, or a built-in one."""
         kind = "objectsInRegion" if positions is None else "objectsAtPositions"
