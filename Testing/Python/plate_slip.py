@@ -52,7 +52,7 @@ def recomputed(folder):
         of["SettlingSpeed"] = np.array([settling[numbers[index]] for index in twice])
         falling = np.array([[0.0, 0.0, -data.cell["BroadsideSpeed"][index]] for index in which])
         slips = slips_of(Plate(*meshes[numbers[which[0]]]), of, density, step, matrices(poses[twice]), rates[twice],
-                         gradients[twice], np.concatenate([flown[which, 0], falling]))
+                         gradients[twice], np.concatenate([flown[which, 0], falling])[:, None])
         own.update((numbers[index], slips[place]) for place, index in enumerate(which))
         alone.update((numbers[index], slips[len(which) + place]) for place, index in enumerate(which))
     return own, alone, {number: flown[index] for index, number in enumerate(numbers) if number in own}

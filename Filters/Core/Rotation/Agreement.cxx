@@ -22,7 +22,8 @@ bool FliesFreely(const AttitudePlan& plan, int from, int to)
   const double rate = plan.Time.FramesPerSecond;
   const double landing = AgreementLanding * plan.LandingTime * rate;
   const double turning = plan.TurningTime * rate;
-  return std::none_of(plan.Rests.begin(), plan.Rests.end(),
+  return from >= plan.Object->Released() &&
+         std::none_of(plan.Rests.begin(), plan.Rests.end(),
                       [&](const LandingWindow& rest)
                       { return to > rest.Frame - landing && from < rest.Until; }) &&
          std::none_of(plan.Keys.begin(), plan.Keys.end(),

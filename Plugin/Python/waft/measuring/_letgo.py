@@ -29,7 +29,7 @@ def legs(run):
             marks.setdefault(index, set()).add(frame)
     found = []
     for index in range(len(run.ids)):
-        start = 0
+        start = max(int(run.releases[index]), 0)
         for touch, lift in [*sorted(rests.get(index, [])), (frames, frames)]:
             end = touch - int(round(BEFORE_TOUCH * rate)) if touch < frames else frames
             own = {frame for frame in marks.get(index, ()) if start < frame < touch}

@@ -218,8 +218,8 @@ def gradients_of(values, origin, spacing, places):
 FACTORS = ("DragCoefficient", "Lift", "RotationalLift", "SlippingMass", "BroadsideSpeed", "Follow", "Pace")
 
 
-def slips_of(plate, of, density, step, poses, rates, gradients, start, steps=STEPS):
-    """[body, frame, 3] from a start [body, 3] on, by so many steps a frame."""
+def slips_of(plate, of, density, step, poses, rates, gradients, given, releases=0, steps=STEPS):
+    """[body, frame, 3] from those that are given [body, frame, 3] at the frames up to which bodies hang on, by so many steps a frame."""
     count, frames = poses.shape[:2]
     mass = of["SlippingMass"][:, None, None] * np.eye(3) + density * plate.air_mass
     inverse = np.linalg.inv(mass)
@@ -239,9 +239,12 @@ def slips_of(plate, of, density, step, poses, rates, gradients, start, steps=STE
         lost = turned(pose, turned(mass, velocity - turned(back, drawn)))
         return pace * (force + weight) - follow * lost
 
+    def momentum_at(frame):
+        return turned(poses[:, frame], turned(mass, turned(np.swapaxes(poses[:, frame], -1, -2), given[:, frame])))
+
     slips = np.empty((count, frames, 3))
-    slips[:, 0] = start
-    momentum = turned(poses[:, 0], turned(mass, turned(np.swapaxes(poses[:, 0], -1, -2), start)))
+    slips[:, 0] = given[:, 0]
+    momentum = momentum_at(0)
     h = step / steps
     for k in range(frames - 1):
         before, after = gradients[:, k], gradients[:, k + 1]
@@ -257,5 +260,8 @@ def slips_of(plate, of, density, step, poses, rates, gradients, start, steps=STE
             three = change(*middle, momentum + 0.5 * h * two)
             four = change(*there, momentum + h * three)
             momentum = momentum + h / 6.0 * (one + 2.0 * two + 2.0 * three + four)
+        hangs = (np.broadcast_to(releases, count) > k)[:, None]
+        if hangs.any():
+            momentum = np.where(hangs, momentum_at(k + 1), momentum)
         slips[:, k + 1] = turned(poses[:, k + 1], velocity_of(poses[:, k + 1], momentum))
     return slips

@@ -44,7 +44,8 @@ class Run:
     radii: np.ndarray
     inertia: bool
     figures: dict
-    poses_off: float = float("nan")  # how far poses.vtp lies off the tracks in flight at most [m]
+    poses_off: float  # how far poses.vtp lies off the tracks in flight at most [m]; NaN without
+    releases: np.ndarray  # frames until which objects hang still [object]; -1: they fly from the first
 
     @property
     def width(self):
@@ -78,7 +79,7 @@ def read_run(folder, tracks="optimized"):
     inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip, arrays.get("Slip")), bounds, arrays, rows, ids, touches,
                held(rows, ids, positions.shape[1]), orientations, agreement, limit, radii, inertia, dynamics(data),
-               float(off.max()) if len(off) else np.nan)
+               float(off.max()) if len(off) else np.nan, releases)
 
 
 def _tracks(path, data):

@@ -46,7 +46,7 @@ def slips(run, air):
                                        frame / run.flights.rate) for frame in range(last)], axis=1)
         lawful = slips_of(plate, {name: values[which] for name, values in factors.items()}, density, 1.0 / run.flights.rate,
                           matrices(run.arrays["Orientation"][which, :last]), run.arrays["AngularVelocity"][which, :last], gradients,
-                          run.arrays["Slip"][which, 0], STEPS)
+                          run.arrays["Slip"][which, :last], run.releases[which], STEPS)
         found.append(lawful[free[which, :last]])
         theirs.append(run.arrays["Slip"][which, :last][free[which, :last]])
     return np.concatenate(found), np.concatenate(theirs)
