@@ -75,6 +75,14 @@ AssimilationOutput Assimilated(const AssimilationInput& input, const Assimilatio
   return output;
 }
 
+// Of the first drift.
+double DriftControl(const AssimilationOutput& output)
+{
+  const auto row = std::find_if(output.Rounds.begin(), output.Rounds.end(),
+                                [](const AssimilationRound& r) { return r.Stage == "drift"; });
+  return row->Control;
+}
+
 } // namespace
 
 TEST(AirStatistics, AreThoseOfASolidRotation)
@@ -301,15 +309,9 @@ TEST(AssimilationWho, MarksGoToWhomTheAirBringsThereAndStayWithThemInEdits)
   {
     row.Choice = ObjectChoice::Given;
   }
-  const auto drift = [](const AssimilationOutput& output)
-  {
-    const auto row = std::find_if(output.Rounds.begin(), output.Rounds.end(),
-                                  [](const AssimilationRound& r) { return r.Stage == "drift"; });
-    return row->Control;
-  };
   AssimilationState memory;
   const AssimilationOutput chosen = Assimilated(input, options, &memory);
-  EXPECT_LT(drift(chosen), 0.9 * drift(Assimilated(given, options)));
+  EXPECT_LT(DriftControl(chosen), 0.9 * DriftControl(Assimilated(given, options)));
   int changed = 0;
   std::vector<int> ids;
   for (std::size_t i = 0; i < input.Constraints.size(); ++i)
@@ -356,12 +358,6 @@ TEST(AssimilationWhen, EachComesWhereItCostsLeastInItsWindowAndStaysThereInEdits
   input.Constraints.push_back(speed);
   AssimilationOptions options = Small();
   options.Rounds = 0;
-  const auto drift = [](const AssimilationOutput& output)
-  {
-    const auto row = std::find_if(output.Rounds.begin(), output.Rounds.end(),
-                                  [](const AssimilationRound& r) { return r.Stage == "drift"; });
-    return row->Control;
-  };
   AssimilationInput fixed = input;
   for (Constraint& row : fixed.Constraints)
   {
@@ -369,7 +365,7 @@ TEST(AssimilationWhen, EachComesWhereItCostsLeastInItsWindowAndStaysThereInEdits
   }
   AssimilationState memory;
   const AssimilationOutput found = Assimilated(input, options, &memory);
-  EXPECT_LT(drift(found), 0.9 * drift(Assimilated(fixed, options)));
+  EXPECT_LT(DriftControl(found), 0.9 * DriftControl(Assimilated(fixed, options)));
   std::vector<int> frames;
   for (const Constraint& row : found.Constraints)
   {

@@ -26,6 +26,9 @@ struct DriftScene
   bool Inertia = false;
 };
 
+/// Of a path between two of its frames.
+Vec3 PlaceAt(const std::vector<Vec3>& path, double frame);
+
 class BodyProblem
 {
 public:

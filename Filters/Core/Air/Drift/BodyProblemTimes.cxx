@@ -7,17 +7,12 @@
 
 namespace waft
 {
-namespace
-{
-
 Vec3 PlaceAt(const std::vector<Vec3>& path, double frame)
 {
   const auto low = static_cast<std::size_t>(frame);
   const std::size_t high = std::min(low + 1, path.size() - 1);
   return path[low] + (frame - static_cast<double>(low)) * (path[high] - path[low]);
 }
-
-} // namespace
 
 void BodyProblem::FixFrames()
 {

@@ -50,18 +50,7 @@ bool IsBeside(const std::vector<Constraint>& others, int frame)
                      });
 }
 
-void SetArrivals(const std::pair<int, int>& key, int frame, std::vector<Constraint>& rows)
-{
-  for (Constraint& row : rows)
-  {
-    if (std::pair(row.Row, row.Target) == key)
-    {
-      SetArrival(frame, row);
-    }
-  }
-}
-
-double PlaceOf(double frame, const std::vector<std::pair<double, double>>& from)
+double FrameBefore(double frame, const std::vector<std::pair<double, double>>& from)
 {
   for (std::size_t i = 0; i + 1 < from.size(); ++i)
   {
@@ -95,10 +84,7 @@ std::vector<Vec3> Retimed(const std::vector<Vec3>& path, const std::vector<Const
   std::vector<Vec3> retimed;
   for (int f = 0; f <= last; ++f)
   {
-    const double at = PlaceOf(f, times);
-    const auto low = static_cast<std::size_t>(at);
-    const std::size_t high = std::min(low + 1, path.size() - 1);
-    retimed.push_back(path[low] + (at - static_cast<double>(low)) * (path[high] - path[low]));
+    retimed.push_back(PlaceAt(path, FrameBefore(f, times)));
   }
   return retimed;
 }
@@ -137,17 +123,13 @@ public:
 private:
   void Choose(const Constraint& row)
   {
-    const std::pair<int, int> key(row.Row, row.Target);
-    std::vector<Constraint> others;
-    std::copy_if(this->Found.Rows.begin(), this->Found.Rows.end(), std::back_inserter(others),
-                 [&](const Constraint& other)
-                 { return std::pair(other.Row, other.Target) != key; });
+    const std::vector<Constraint> others = OthersOf(row, this->Found.Rows);
     const std::vector<Vec3> before = std::move(this->Found.Best.Path);
     this->Found.Best = Way();
     int now = row.Frame; // as it is on the way so far
     for (const Constraint& own : this->Found.Rows)
     {
-      now = std::pair(own.Row, own.Target) == key ? own.Frame : now;
+      now = IsOfTarget(row, own) ? own.Frame : now;
     }
     int best = now;
     const FrameWindow tried = TriedOf(this->Run, row);
@@ -160,7 +142,7 @@ private:
         return;
       }
       std::vector<Constraint> rows = this->Found.Rows;
-      SetArrivals(key, frame, rows);
+      SetArrivals(row, frame, rows);
       BodyProblem body = ProblemOf(this->Run, this->Object, before, rows);
       std::vector<std::vector<Vec3>> starts = OtherStarts(this->Air, body);
       starts.push_back(Retimed(before, others, now, frame));
@@ -190,7 +172,7 @@ private:
       attempt(from - shift);
       attempt(from + shift);
     }
-    SetArrivals(key, best, this->Found.Rows);
+    SetArrivals(row, best, this->Found.Rows);
   }
 
   const AirContext& Run;
@@ -200,6 +182,25 @@ private:
 };
 
 } // namespace
+
+std::vector<Constraint> OthersOf(const Constraint& row, const std::vector<Constraint>& rows)
+{
+  std::vector<Constraint> others;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(others),
+               [&](const Constraint& other) { return !IsOfTarget(row, other); });
+  return others;
+}
+
+void SetArrivals(const Constraint& row, int frame, std::vector<Constraint>& rows)
+{
+  for (Constraint& own : rows)
+  {
+    if (IsOfTarget(row, own))
+    {
+      SetArrival(frame, own);
+    }
+  }
+}
 
 std::vector<int> FramesOf(const AirContext& run, const Constraint& row,
                           const std::vector<Constraint>& others, int most)
@@ -240,37 +241,34 @@ Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
   }
   const AirSampler air(series);
   PartMonitor monitor(run.Caller, DrawEnd, DrawEnd, "Choosing when each arrives by the air");
-  run.Parallel(isOpen.size(),
-               [&](std::size_t begin, std::size_t end)
-               {
-                 for (std::size_t o = begin; o < end && monitor.Tick(-1.0, ""); ++o)
-                 {
-                   const BodyProblem& body = bodies.Problems[o];
-                   if (!isOpen[o])
-                   {
-                     continue;
-                   }
-                   std::vector<Constraint> rows;
-                   std::copy_if(body.Rows().begin(), body.Rows().end(), std::back_inserter(rows),
-                                [](const Constraint& row) { return row.Row != OfNoRow; });
-                   Choice choice =
-                     WhenOfBody(run, air, body.Object(), run.Plans[o], std::move(rows)).Choose();
-                   for (const Constraint& row : choice.Rows)
-                   {
-                     for (const std::size_t i : places.Of(row.ObjectId))
-                     {
-                       const bool isIts = run.Rows[i].Row == row.Row &&
-                                          run.Rows[i].Target == row.Target &&
-                                          run.Rows[i].IsOpenWindow && !row.IsOpenWindow;
-                       if (isIts)
-                       {
-                         SetArrival(row.Frame, run.Rows[i]);
-                       }
-                     }
-                   }
-                   run.Plans[o] = std::move(choice.Best.Path);
-                 }
-               });
+  run.Parallel(
+    isOpen.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t o = begin; o < end && monitor.Tick(-1.0, ""); ++o)
+      {
+        const BodyProblem& body = bodies.Problems[o];
+        if (!isOpen[o])
+        {
+          continue;
+        }
+        std::vector<Constraint> rows;
+        std::copy_if(body.Rows().begin(), body.Rows().end(), std::back_inserter(rows),
+                     [](const Constraint& row) { return row.Row != OfNoRow; });
+        Choice choice = WhenOfBody(run, air, body.Object(), run.Plans[o], std::move(rows)).Choose();
+        for (const Constraint& row : choice.Rows)
+        {
+          for (const std::size_t i : places.Of(row.ObjectId))
+          {
+            if (IsOfTarget(row, run.Rows[i]) && run.Rows[i].IsOpenWindow && !row.IsOpenWindow)
+            {
+              SetArrival(row.Frame, run.Rows[i]);
+            }
+          }
+        }
+        run.Plans[o] = std::move(choice.Best.Path);
+      }
+    });
   if (!monitor.Tick(-1.0, ""))
   {
     return Result::Stopped();

@@ -150,16 +150,6 @@ std::size_t TrackOf(const AirContext& run, std::size_t object)
   return static_cast<std::size_t>(found - tracks.begin());
 }
 
-// But for those of its last one's target.
-std::vector<Constraint> OthersOf(const std::vector<Constraint>& rows)
-{
-  std::vector<Constraint> others;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(others),
-               [&](const Constraint& row)
-               { return row.Row != rows.back().Row || row.Target != rows.back().Target; });
-  return others;
-}
-
 // A pair that comes at a frame, if that costs less than what was tried.
 void JudgeAt(const Choosing& choosing, const ChosenTargets& group, int frame,
              std::vector<Constraint> rows, WhoPair& pair)
@@ -168,15 +158,8 @@ void JudgeAt(const Choosing& choosing, const ChosenTargets& group, int frame,
   const MotionObject& object = run.Input.Objects[pair.Object];
   const bool isPlanned = pair.Object == group.Targets[pair.Target].Object &&
                          frame == rows.back().Frame; // the plan is of just this
-  const std::pair<int, int> key(rows.back().Row, rows.back().Target);
   const int sooner = IsRest(rows.back().Kind) ? rows.back().Frame - frame : 0;
-  for (Constraint& row : rows)
-  {
-    if (std::pair(row.Row, row.Target) == key)
-    {
-      SetArrival(frame, row);
-    }
-  }
+  SetArrivals(Constraint(rows.back()), frame, rows);
   BodyProblem body = ProblemOf(run, object, run.Plans[TrackOf(run, pair.Object)], std::move(rows));
   const Way way = isPlanned ? LeastDrift(run, choosing.Air, body, PairIterations,
                                          body.Starts(choosing.Air, 0), Obstacles::MayBePassed)
@@ -210,7 +193,7 @@ void Judge(const Choosing& choosing, const ChosenTargets& group, std::vector<Who
                    if (!rows.empty() && track < run.Plans.size())
                    {
                      for (const int frame :
-                          FramesOf(run, rows.back(), OthersOf(rows), FramesOfPairs))
+                          FramesOf(run, rows.back(), OthersOf(rows.back(), rows), FramesOfPairs))
                      {
                        JudgeAt(choosing, group, frame, rows, pair);
                      }
