@@ -140,6 +140,8 @@ std::string vtkMotionAnimationSource::Internals::Told() const
     told["stages"][wordOf(stage)] = waft::AsJson(effort);
   }
   told["fault"] = this->Fault;
+  told["quality"] = waft::ToString(
+    waft::FlownQuality(this->Read(), static_cast<waft::Quality>(this->Self->Quality)));
   told["seed"] = this->Record.Seed;
   told["key"] = this->Record.Key;
   told["editOf"] = this->Record.EditedState;

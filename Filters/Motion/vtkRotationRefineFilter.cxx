@@ -232,6 +232,7 @@ void vtkRotationRefineFilter::Internals::KeepWhatMeshesNeed()
   {
     waft::Track path;
     path.ObjectId = track.ObjectId;
+    path.FirstPresent = track.FirstPresent;
     path.Positions = std::move(track.Positions);
     track = std::move(path);
   }

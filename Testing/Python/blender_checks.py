@@ -866,11 +866,18 @@ class Times(unittest.TestCase):
         places = np.column_stack([0.01 * np.arange(36.0), np.zeros(36), np.full(36, 2.0)])
         turns = np.tile((1.0, 0.0, 0.0, 0.0), (36, 1))
         values = {"name": "take-001", "folder": "", "quality": "preview"}
-        self.assertEqual(([], []), takes.add(self.scene, values, looked, [places], [turns]))
+        present = np.arange(36) >= 10
+        self.assertEqual(([], []), takes.add(self.scene, values, looked, [places], [turns], [present]))
         wanted = looked.placements(0, places, turns)[0]
         for frame in (1, 18, 19, 36):
             self.scene.frame_set(frame)
             self.assertLess(np.abs(np.array(self.leaf.matrix_world.translation) - wanted[frame - 1]).max(), 1e-6)
+        # Who is not in the shot is hidden, and as it was once the take is gone.
+        for frame, is_hidden in ((1, True), (10, True), (11, False), (36, False), (5, True)):
+            self.scene.frame_set(frame)
+            self.assertEqual((is_hidden, is_hidden), (self.leaf.hide_viewport, self.leaf.hide_render))
+        takes.remove(self.scene, 0)
+        self.assertEqual((False, False), (self.leaf.hide_viewport, self.leaf.hide_render))
 
 
 JARGON = re.compile(r"\brows?\b|rms|segment|MaximumTurn|scene\.waft\.json|object \d|obstacle \d|database|/constraints|target \d")

@@ -4,6 +4,7 @@
     pvpython run.py test_arrivals.py
 """
 import csv
+import json
 import pathlib
 import tempfile
 import unittest
@@ -124,3 +125,53 @@ class ArrivalsTest(unittest.TestCase):
                     self.assertLess(np.linalg.norm(path[until] - path[until - 1]) * 30, 0.35)
         objects = {int(number): int(frame) for number, frame in zip(*arrays(run.output("reader"), "ObjectId", "Release"))}
         self.assertEqual(release, objects)
+
+    def test_emitted_from_one_place_they_begin_in_flight(self):
+        made = waft.Scene("Emission", seed=4)
+        made.set_time(FRAMES)
+        made.add_objects("petal", positions=[(0.0, 0.0, 2.2)] * 8, release={"from": 4, "rate": 10.0}, appears=True)
+        made.add_keyframe(WINDOW, points=POINTS, order="left-to-right")
+        for quality in ("preview", "paper"):  # which flies as air
+            run = self.fly(made, quality)
+            self.check_marks(run)
+            self.assertEqual(quality == "paper", any("flown as air" in warning for warning in run.warnings))
+            first = np.argmax(run.present, axis=1)
+            self.assertEqual([4 + 3 * k for k in range(8)], sorted(first))
+            steps = np.linalg.norm(np.diff(run.positions, axis=1), axis=2) * 30.0
+            for path, step, turns, begins in zip(run.positions, steps, run.orientations, first):
+                self.assertTrue((path[:begins + 1] == (0.0, 0.0, 2.2)).all())
+                self.assertFalse(np.ptp(turns[:begins + 1], axis=0).any())
+                self.assertGreater(step[begins], 0.2)
+                self.assertLess(abs(step[begins] - step[begins + 1]), 0.2)  # no jerk
+        tracks = run.output("assimilation")
+        np.testing.assert_array_equal(run.present.ravel(), vtk_to_numpy(tracks.GetPointData().GetArray("Present")) > 0)
+        speeds = np.linalg.norm(vtk_to_numpy(tracks.GetPointData().GetArray("Velocity")), axis=1).reshape(8, FRAMES)
+        self.assertFalse(speeds[~run.present].any())
+        self.assertGreater(speeds[np.arange(8), first].min(), 0.2)
+        with open(pathlib.Path(run.folder) / "poses.csv", encoding="utf-8", newline="") as stream:
+            table = list(csv.DictReader(stream))
+        self.assertEqual("present", list(table[0])[-1])
+        np.testing.assert_array_equal(run.present.ravel(), [line["present"] == "1" for line in table])
+        content = (pathlib.Path(run.folder) / "animation.glb").read_bytes()
+        channels = json.loads(content[20:20 + int.from_bytes(content[12:16], "little")])["animations"][0]["channels"]
+        self.assertEqual(8, sum(channel["target"]["path"] == "scale" for channel in channels))
+        found = waft.load(run.folder)
+        np.testing.assert_array_equal(run.present, found.present)
+
+    def test_held_they_stay_till_all_have_come(self):
+        for quality in ("preview", "paper"):
+            run = self.fly(scene("left-to-right", hold=12), quality)
+            frames = self.check_marks(run)
+            rows, ids = lines(run), list(run.object_ids)
+            ends = max(frames) + 12
+            for target, begins in enumerate(frames):
+                body = ids.index(rows[target]["ObjectId"])
+                path, turns = run.positions[body], run.orientations[body]
+                self.assertFalse(np.ptp(path[begins:ends + 1], axis=0).any())
+                self.assertTrue((path[ends + 1] != path[ends]).any() and (path[begins - 1] != path[begins]).any())
+                self.assertTrue(np.diff(turns[begins:ends + 1], axis=0).any(axis=1).all())  # they turn on
+                if quality == "preview":
+                    for step in (path[begins] - path[begins - 1], path[ends + 1] - path[ends]):
+                        self.assertLess(np.linalg.norm(step) * 30.0, 0.3)  # they come to a stop, and start from rest
+        to_the_end = self.fly(scene(hold=100)).positions
+        self.assertTrue((to_the_end[:, -1] == to_the_end[:, -2]).all())

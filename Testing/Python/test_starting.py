@@ -125,6 +125,26 @@ class StartingTest(unittest.TestCase):
             self.assertIn(arguments[1] or "text", refused.stderr)
             self.assertFalse((self.folder / "c.waft.json").exists())
 
+    def test_a_new_scene_has_times(self):
+        done = self.waft("new", "d.waft.json", "--text", "HI", "--then", "OH", "--release", "0s..3s", "--arrive", "5s..240", "--order",
+                         "left-to-right", "--hold", "1s", "--count", 12)
+        self.assertEqual(0, done.returncode, done.stderr)
+        scene = json.loads((self.folder / "d.waft.json").read_text(encoding="utf-8"))
+        self.assertEqual([{"from": 0, "to": 90}], [entry["release"] for entry in scene["objects"]])
+        words = [(row["targets"]["text"], row["frame"], row["order"], row["hold"]) for row in scene["constraints"]]
+        self.assertEqual([("HI", {"from": 150, "to": 240}, "left-to-right", 30),
+                          ("OH", {"from": 420, "to": 510}, "left-to-right", 30)], words)  # 5 s after the hold
+        checked = self.waft("check", "d.waft.json")
+        self.assertEqual(0, checked.returncode, checked.stdout + checked.stderr)
+        for arguments, word in ((("--arrive", "8s..4s"), "not reversed"), (("--arrive", "1e9s"), "a time or FIRST..LAST"),
+                                (("--hold", "-1"), "a time in seconds"), (("--order", "inward"), "--order: expected a window of arrivals"),
+                                (("--release", "9s"), "--release: expected the last one before the first arrival at frame 210"),
+                                (("--release", "soon"), "a time or FIRST..LAST")):
+            refused = self.waft("new", "c.waft.json", *arguments)
+            self.assertEqual(2, refused.returncode, arguments)
+            self.assertIn(word, refused.stderr)
+            self.assertFalse((self.folder / "c.waft.json").exists())
+
     def test_check_takes_what_is_fine(self):
         said = self.check(0, "0 of them cannot be met, 0 remarks", constraints=[position(0, 60, [-0.9, -0.4, 1.9], radius=0.1)])
         self.assertEqual(1, said.count("\n"))

@@ -153,6 +153,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   arrays->AddArray(values);
   AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
+  AddColumn(arrays, names::Hold, constraints, &Constraint::Hold);
   AddColumn(arrays, names::FrameFrom, constraints, &Constraint::FrameFrom);
   AddColumn(arrays, names::Arrival, constraints, ArrivalOf);
   AddColumn(arrays, names::Release, constraints, &Constraint::Release);
@@ -197,6 +198,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(ReadQuaternions(source, names::Value, values));
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Hold, &Constraint::Hold));
   WAFT_RETURN_IF_FAILED(readOptional(names::FrameFrom, &Constraint::FrameFrom));
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Arrival, arrivals, &met));
   WAFT_RETURN_IF_FAILED(readOptional(names::Release, &Constraint::Release));
@@ -269,10 +271,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
     {
       row.Value = Vec3(v.w(), v.x(), v.y());
     }
-    if (TraitsOf(row.Kind).Lasts)
-    {
-      row.Until = std::clamp(row.Until, row.Frame, last);
-    }
+    row.Until = IsLasting(row) ? std::clamp(row.Until, row.Frame, last) : row.Frame;
     row.Row = row.Row < 0 ? static_cast<int>(i) : row.Row;
     row.Status = static_cast<ConstraintStatus>(std::clamp(statuses[i], 0, 3));
   }

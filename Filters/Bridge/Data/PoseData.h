@@ -69,7 +69,8 @@ public:
                const std::vector<std::vector<std::array<double, 3>>>& colors,
                const std::vector<MotionObject>& objects, const std::vector<Track>& tracks,
                const SceneInfo& info);
-  /// frame is clamped to the frames there are. tracks: the ones of Build.
+  /// frame is clamped to the frames there are. tracks: the ones of Build. Bodies that are not in
+  /// the shot are points.
   void Fill(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses, int frame,
             vtkPolyData* data) const;
 

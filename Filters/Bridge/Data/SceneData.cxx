@@ -115,6 +115,8 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
   AddColumn(arrays, names::ClearanceRadius, objects, &MotionObject::ClearanceRadius);
   AddColumn(arrays, names::RestHeight, objects, &MotionObject::RestHeight);
   AddColumn(arrays, names::Release, objects, &MotionObject::Release);
+  AddColumn(arrays, names::Appears, objects,
+            [](const MotionObject& object) { return static_cast<unsigned char>(object.Appears); });
   SceneInfoToFieldData(info, data);
 }
 
@@ -178,6 +180,7 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   WAFT_RETURN_IF_FAILED(readOptional(names::ClearanceRadius, &MotionObject::ClearanceRadius));
   WAFT_RETURN_IF_FAILED(readOptional(names::RestHeight, &MotionObject::RestHeight));
   WAFT_RETURN_IF_FAILED(readOptional(names::Release, &MotionObject::Release));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Appears, &MotionObject::Appears));
   WAFT_RETURN_IF_FAILED(NumberObjects(source, read));
   std::set<int> seen;
   for (std::size_t i = 0; i < read.size(); ++i)

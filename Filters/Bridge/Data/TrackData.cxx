@@ -186,9 +186,11 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   };
   std::vector<Vec3> velocities;
   std::vector<int> frames, objectIds;
+  std::vector<unsigned char> present;
   std::vector<double> times;
   velocities.reserve(samples);
   frames.reserve(samples);
+  present.reserve(samples);
   times.reserve(samples);
   vtkNew<vtkCellArray> lines;
   for (const Track& track : tracks)
@@ -199,9 +201,10 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
     {
       lines->InsertCellPoint(static_cast<vtkIdType>(frames.size()));
       frames.push_back(static_cast<int>(k));
+      present.push_back(track.IsPresent(k) ? 1 : 0);
       times.push_back(info.Time.Time(static_cast<double>(k)));
     }
-    const std::vector<Vec3> v = CentralVelocities(track.Positions, info.Time.Step());
+    const std::vector<Vec3> v = CentralVelocities(track, info.Time.Step());
     velocities.insert(velocities.end(), v.begin(), v.end());
     objectIds.push_back(track.ObjectId);
   }
@@ -215,6 +218,7 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   AddInts(arrays, names::Frame, std::exchange(frames, {}));
   AddDoubles(arrays, names::Time, std::exchange(times, {}));
   AddVectors(arrays, names::Velocity, std::exchange(velocities, {}));
+  AddBytes(arrays, names::Present, present);
   const auto isLeft = [&](const char* name)
   {
     vtkDataArray* array = left != nullptr ? left->GetArray(name) : nullptr;
@@ -276,6 +280,23 @@ Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const st
     read[cell].ObjectId = ids[cell];
   }
   WAFT_RETURN_IF_FAILED(ReadOptionalColumn(cells, names::Release, read, &Track::Release));
+  const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
+  std::vector<int> present;
+  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Present, present));
+  if (!present.empty())
+  {
+    vtkNew<vtkIdList> line;
+    for (std::size_t cell = 0; cell < read.size(); ++cell)
+    {
+      data->GetCellPoints(static_cast<vtkIdType>(cell), line);
+      int& first = read[cell].FirstPresent;
+      while (first < line->GetNumberOfIds() &&
+             present[static_cast<std::size_t>(line->GetId(first))] == 0)
+      {
+        ++first;
+      }
+    }
+  }
   tracks = std::move(read);
   return Result::Ok();
 }

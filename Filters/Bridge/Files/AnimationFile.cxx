@@ -89,7 +89,7 @@ Result WriteAnimation(const std::string& fileName, vtkPolyData* data,
     WAFT_RETURN_IF_FAILED(shapeOf.Find(tracks[i].ObjectId, shapeId));
     animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId),
                          std::move(tracks[i].Positions), std::move(poses[i].Orientations),
-                         std::move(marks[tracks[i].ObjectId]) });
+                         std::move(marks[tracks[i].ObjectId]), tracks[i].FirstPresent });
     poses[i] = PoseTrack();
   }
   return WriteAnimationGlb(fileName, shapes, std::move(animated), info.Time.FramesPerSecond,

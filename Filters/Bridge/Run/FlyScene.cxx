@@ -71,6 +71,15 @@ std::vector<std::string> ResultNames(const FlightRequest& request, const Scene& 
   return names;
 }
 
+/// With the quality that the scene is flown at, and what that gives.
+FlightRequest AsFlown(const FlightRequest& request, const Scene& scene)
+{
+  FlightRequest flown = request;
+  flown.Options.Detail = FlownQuality(scene, request.Options.Detail);
+  flown.HasParticles = flown.HasParticles && RunsAt(ChainStage::Spacetime, flown.Options.Detail);
+  return flown;
+}
+
 SceneJson ParsedObject(const std::string& text)
 {
   const SceneJson parsed = SceneJson::parse(text, nullptr, false);
@@ -564,7 +573,14 @@ Result FlyInto(const FlightRequest& request, const ChainInputs& inputs, FlightMo
 {
   try
   {
-    return Flying(request, inputs, monitor, made, memory, record).Fly();
+    const FlightRequest flown = AsFlown(request, inputs.TheScene);
+    if (flown.Options.Detail != request.Options.Detail)
+    {
+      record.Warnings.push_back(std::string("quality ") + ToString(request.Options.Detail) +
+                                ": it knows no objects that appear in the shot: flown as " +
+                                ToString(flown.Options.Detail));
+    }
+    return Flying(flown, inputs, monitor, made, memory, record).Fly();
   }
   catch (const std::bad_alloc&)
   {
@@ -596,9 +612,10 @@ Result FlyScene(const FlightRequest& request, Communicator* ranks, FlightMonitor
                  flight.Made, nullptr, flight.Record);
 }
 
-Result SaveFlight(const FlightRequest& request, const Scene& scene, const Motion& made,
+Result SaveFlight(const FlightRequest& wanted, const Scene& scene, const Motion& made,
                   FlightRecord& record, bool isShown)
 {
+  const FlightRequest request = AsFlown(wanted, scene);
   ResultPlace place(PlaceOf(request.Output));
   WAFT_RETURN_IF_FAILED(place.Enter());
   WAFT_RETURN_IF_FAILED(place.Check(ResultNames(request, scene)));

@@ -4,26 +4,32 @@
 namespace waft
 {
 
-std::vector<Vec3> CentralVelocities(const std::vector<Vec3>& positions, double step)
+std::vector<Vec3> CentralDifferences(const std::vector<Vec3>& samples, double step, int first)
 {
-  const std::size_t n = positions.size();
-  std::vector<Vec3> velocities(n, Vec3::Zero());
-  if (n == 2)
+  const auto a = static_cast<std::size_t>(first);
+  const std::size_t n = samples.size();
+  std::vector<Vec3> differences(n, Vec3::Zero());
+  if (n == a + 2)
   {
-    velocities[0] = velocities[1] = (positions[1] - positions[0]) / step;
+    differences[a] = differences[a + 1] = (samples[a + 1] - samples[a]) / step;
   }
-  if (n < 3)
+  if (n < a + 3)
   {
-    return velocities;
+    return differences;
   }
-  for (std::size_t k = 1; k + 1 < n; ++k)
+  for (std::size_t k = a + 1; k + 1 < n; ++k)
   {
-    velocities[k] = (positions[k + 1] - positions[k - 1]) / (2.0 * step);
+    differences[k] = (samples[k + 1] - samples[k - 1]) / (2.0 * step);
   }
-  velocities[0] = (-3.0 * positions[0] + 4.0 * positions[1] - positions[2]) / (2.0 * step);
-  velocities[n - 1] =
-    (3.0 * positions[n - 1] - 4.0 * positions[n - 2] + positions[n - 3]) / (2.0 * step);
-  return velocities;
+  differences[a] = (-3.0 * samples[a] + 4.0 * samples[a + 1] - samples[a + 2]) / (2.0 * step);
+  differences[n - 1] =
+    (3.0 * samples[n - 1] - 4.0 * samples[n - 2] + samples[n - 3]) / (2.0 * step);
+  return differences;
+}
+
+std::vector<Vec3> CentralVelocities(const Track& track, double step)
+{
+  return CentralDifferences(track.Positions, step, track.FirstPresent);
 }
 
 } // namespace waft

@@ -38,9 +38,14 @@ struct MotionObject
   double RestHeight = 0.0; // m, height of the centre of mass above a plane that the body lies on
   /// The frame until which it hangs still at its Position; -1: it flies from the first frame.
   int Release = -1;
+  int Appears = 0; // 1: it is not in the shot before its Release, and begins in flight then
 
   /// The frame from which it flies.
   int Released() const { return this->Release > 0 ? this->Release : 0; }
+  /// It hangs still at first, and the air takes it from rest.
+  bool Hangs() const { return this->Release > 0 && this->Appears == 0; }
+  /// The first frame at which it is in the shot.
+  int FirstPresent() const { return this->Appears != 0 ? this->Released() : 0; }
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -59,6 +64,7 @@ struct MotionObject
     visit(of.ClearanceRadius...);
     visit(of.RestHeight...);
     visit(of.Release...);
+    visit(of.Appears...);
   }
 };
 
@@ -68,6 +74,7 @@ struct Track
 {
   int ObjectId = 0;
   int Release = -1;                      // of the object
+  int FirstPresent = 0;                  // frame from which it is in the shot; still before
   std::vector<Vec3> Positions;           // m
   std::vector<Vec3> SphVelocities;       // m/s, the optimiser's raw unknown
   std::vector<ForceType> ForceTypes;     // annotation
@@ -83,11 +90,21 @@ struct Track
   std::vector<Quat> Orientations;      // body to world, unit
   std::vector<Vec3> AngularVelocities; // rad/s, world
 
+  bool IsPresent(std::size_t frame) const { return static_cast<int>(frame) >= this->FirstPresent; }
+  /// Who it is of, and when that is where.
+  void TakeTimes(const MotionObject& object)
+  {
+    this->ObjectId = object.ObjectId;
+    this->Release = object.Release;
+    this->FirstPresent = object.FirstPresent();
+  }
+
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(of.ObjectId...);
     visit(of.Release...);
+    visit(of.FirstPresent...);
     visit(of.Positions...);
     visit(of.SphVelocities...);
     visit(of.ForceTypes...);
@@ -103,8 +120,10 @@ struct Track
   }
 };
 
-/// Central differences of the positions [m/s], one-sided and of second order at the ends; zero for
-/// a single sample. step: time between samples [s].
-std::vector<Vec3> CentralVelocities(const std::vector<Vec3>& positions, double step);
+/// Central differences of samples, a second, one-sided and of second order at the ends; zero for
+/// a single one. step: time between samples [s]. first: where they begin; zero before.
+std::vector<Vec3> CentralDifferences(const std::vector<Vec3>& samples, double step, int first = 0);
+/// Of the positions [m/s], from where the object is in the shot.
+std::vector<Vec3> CentralVelocities(const Track& track, double step);
 
 } // namespace waft

@@ -76,6 +76,14 @@ Box VolumeAboveGround(const Scene& scene)
   return volume;
 }
 
+Quality FlownQuality(const Scene& scene, Quality wanted)
+{
+  const bool comeAndGo =
+    std::any_of(scene.Objects.begin(), scene.Objects.end(),
+                [](const MotionObject& object) { return object.FirstPresent() > 0; });
+  return comeAndGo && RunsAt(ChainStage::Spacetime, wanted) ? Quality::Air : wanted;
+}
+
 Result ReadSceneAndWind(const std::string& file, const SceneAssets& assets, Scene& scene,
                         SceneWind& wind)
 {

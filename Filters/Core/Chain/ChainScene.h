@@ -5,6 +5,7 @@
 #include "Base/FieldSeries.h"
 #include "Base/Mesh.h"
 #include "Base/Result.h"
+#include "Chain/ChainTable.h"
 #include "Obstacles/ObstacleSet.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneWind.h"
@@ -21,6 +22,10 @@ std::vector<ObstacleMesh> ObstaclesOfFrames(const std::vector<ObstacleMesh>& obs
 
 /// The volume without what the ground takes of it [m].
 Box VolumeAboveGround(const Scene& scene);
+
+/// The quality that a scene is flown at where another is wanted: the optimiser does not know of
+/// objects that come into the shot; such a scene is flown by the air alone.
+Quality FlownQuality(const Scene& scene, Quality wanted);
 
 /// Reads a scene file and its winds. assets: reads what the file names. Fails as ReadScene and
 /// SceneWind::Build do; what is odd is among the scene's Warnings.

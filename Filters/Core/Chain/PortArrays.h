@@ -14,10 +14,12 @@ struct PortArrays
     "points: ObjectId int; ObjectIdGiven byte; ShapeId int; Mass double kg; Velocity double*3 m/s; "
     "VelocityGiven byte; Orientation double*4 w, x, y, z; OrientationGiven byte; "
     "AngularVelocity double*3 rad/s; SettlingSpeed double m/s; ClassId int; "
-    "ClearanceRadius double m; RestHeight double m; Release int; Arrival int";
+    "ClearanceRadius double m; RestHeight double m; Release int; "
+    "Appears byte; Arrival int";
   const std::string Constraints =
     "points: ObjectId int; Frame int; Kind byte; Value double*4 of the kind; "
-    "Radius double of the kind; Until int; FrameFrom int; Arrival int; Release int; TouchDown int; "
+    "Radius double of the kind; Until int; Hold int; FrameFrom int; Arrival int; Release int; "
+    "TouchDown int; "
     "Settled int; "
     "LiftOff int; Row int; "
     "Target int; Group int; ClassId int; FaceUp byte; Facing double*3; FacingTolerance double rad; "
@@ -62,9 +64,10 @@ struct PortArrays
     "Residual float*3 m/s^2";
 
   // Tracks have more from stage to stage.
-  const std::string Moved = "points: Frame int; Time double s; Velocity double*3 m/s; "
-                            "ForceType byte; VortexId int; VortexAcceleration double*3 m/s^2; "
-                            "WindAcceleration double*3 m/s^2";
+  const std::string Moved =
+    "points: Frame int; Time double s; Velocity double*3 m/s; Present byte; "
+    "ForceType byte; VortexId int; VortexAcceleration double*3 m/s^2; "
+    "WindAcceleration double*3 m/s^2";
   const std::string Turned = "; Slip double*3 m/s; Orientation double*4 w, x, y, z; "
                              "AngularVelocity double*3 rad/s";
   const std::string OfLines = "; cells: ObjectId int; Release int";

@@ -39,12 +39,13 @@ FieldSeries AirOfFrames(const SampledAir& air, const Timeline& line)
 }
 
 /// Without an air to choose by, objects come at the ends of their windows.
-void ArriveAsPlanned(PlanOutput& plan)
+void ArriveAsPlanned(int lastFrame, PlanOutput& plan)
 {
   for (Constraint& row : plan.Constraints)
   {
     SetArrival(row.Frame, row);
   }
+  SetHolds(lastFrame, plan.Constraints);
   for (ReportRow& line : plan.Report)
   {
     line.Arrival = line.Frame;
@@ -305,7 +306,7 @@ Result Chain::Plan(Monitor& monitor)
                                   monitor, this->Made.Plan, this->Made.Takes, &this->Memory.Plans);
   if (!RunsAt(ChainStage::Assimilation, this->Options.Detail))
   {
-    ArriveAsPlanned(this->Made.Plan);
+    ArriveAsPlanned(this->Inputs.TheScene.Info.Time.NumberOfFrames - 1, this->Made.Plan);
   }
   this->Made.Warnings[ChainStage::Planner] =
     PlanRemarks(this->Inputs.Database, scene.Info, this->Made.Plan);

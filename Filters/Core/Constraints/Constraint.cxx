@@ -34,21 +34,22 @@ constexpr bool AreInOrder()
 }
 static_assert(AreInOrder(), "a line for each kind, in the order of the enumeration");
 
-std::map<int, double> VelocityStencil(int frame, const Timeline& time)
+/// Of a path that begins at frame a.
+std::map<int, double> VelocityStencil(int frame, const Timeline& time, int a)
 {
   const int n = time.NumberOfFrames;
   const double rate = time.FramesPerSecond;
-  if (n < 2)
+  if (n < a + 2)
   {
     return {};
   }
-  if (n == 2)
+  if (n == a + 2)
   {
-    return { { 0, -rate }, { 1, rate } };
+    return { { a, -rate }, { a + 1, rate } };
   }
-  if (frame == 0)
+  if (frame == a)
   {
-    return { { 0, -1.5 * rate }, { 1, 2.0 * rate }, { 2, -0.5 * rate } };
+    return { { a, -1.5 * rate }, { a + 1, 2.0 * rate }, { a + 2, -0.5 * rate } };
   }
   if (frame == n - 1)
   {
@@ -71,7 +72,7 @@ const ConstraintTraits* FindConstraintKind(const std::string& name)
   return found == Kinds.end() ? nullptr : found;
 }
 
-std::map<int, double> DerivativeStencil(int derivative, int frame, const Timeline& time)
+std::map<int, double> DerivativeStencil(int derivative, int frame, const Timeline& time, int first)
 {
   std::map<int, double> stencil{ { frame, 1.0 } };
   for (int order = 0; order < derivative; ++order)
@@ -79,7 +80,7 @@ std::map<int, double> DerivativeStencil(int derivative, int frame, const Timelin
     std::map<int, double> next;
     for (const auto& [k, outer] : stencil)
     {
-      for (const auto& [f, inner] : VelocityStencil(k, time))
+      for (const auto& [f, inner] : VelocityStencil(k, time, first))
       {
         next[f] += outer * inner;
       }
@@ -87,6 +88,22 @@ std::map<int, double> DerivativeStencil(int derivative, int frame, const Timelin
     stencil = std::move(next);
   }
   return stencil;
+}
+
+void SetHolds(int lastFrame, std::vector<Constraint>& rows)
+{
+  std::map<int, int> last; // arrival, by Row
+  for (const Constraint& row : rows)
+  {
+    if (row.Hold > 0)
+    {
+      last[row.Row] = std::max(last[row.Row], row.Frame);
+    }
+  }
+  for (Constraint& row : rows)
+  {
+    row.Until = row.Hold > 0 ? std::min(last[row.Row] + row.Hold, lastFrame) : row.Until;
+  }
 }
 
 double ToleranceOf(ConstraintKind kind, const MotionScales& scales)

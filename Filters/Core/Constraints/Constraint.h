@@ -73,8 +73,10 @@ inline bool IsAttitude(ConstraintKind kind)
 }
 
 /// Weights, by frame, of the positions in a derivative of the path at a frame [1/s^derivative]:
-/// CentralVelocities applied no times, once or twice. Empty where the time line is too short.
-std::map<int, double> DerivativeStencil(int derivative, int frame, const Timeline& time);
+/// CentralDifferences applied no times, once or twice. Empty where the time line is too short.
+/// first: where the path begins.
+std::map<int, double> DerivativeStencil(int derivative, int frame, const Timeline& time,
+                                        int first = 0);
 
 /// What ConstraintTraits::Tolerance is relative to.
 struct MotionScales
@@ -132,8 +134,10 @@ struct Constraint
   Quat Orientation = Quat::Identity(); // of an orientation row
   double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
   int Release = -1;                    // of its object; -1: it flies from the first frame
-  int Until = 0;                       // rest lasts from Frame to this frame
-  int FrameFrom = -1;                  // where a window was asked for, its first frame
+  int Until = 0;                       // rest or hold lasts from Frame to this frame
+  /// Of a position: frames for which it stays there once all of its Row have come (SetHolds).
+  int Hold = 0;
+  int FrameFrom = -1; // where a window was asked for, its first frame
   /// It is met at one of the frames from FrameFrom to Frame, of which the air has chosen none yet.
   bool IsOpenWindow = false;
   int TouchDown = -1;        // of a rest: comes to its surface at this frame; -1: at Frame
@@ -163,6 +167,7 @@ struct Constraint
     visit(of.Radius...);
     visit(of.Release...);
     visit(of.Until...);
+    visit(of.Hold...);
     visit(of.FrameFrom...);
     visit(of.IsOpenWindow...);
     visit(of.TouchDown...);
@@ -180,10 +185,16 @@ struct Constraint
   }
 };
 
+/// It is there for a while, rather than at one frame.
+inline bool IsLasting(const Constraint& row)
+{
+  return TraitsOf(row.Kind).Lasts || row.Hold > 0;
+}
+
 /// The frame until which a row holds, or a rest goes on.
 inline int LastFrame(const Constraint& row)
 {
-  return TraitsOf(row.Kind).Lasts ? std::max({ row.Frame, row.Until, row.LiftOff }) : row.Frame;
+  return IsLasting(row) ? std::max({ row.Frame, row.Until, row.LiftOff }) : row.Frame;
 }
 
 /// How far from what it asks for a row counts as met, in the unit of Value.
@@ -203,8 +214,12 @@ inline void SetArrival(int frame, Constraint& row)
 {
   row.Frame = frame;
   row.IsOpenWindow = false;
-  row.Until = TraitsOf(row.Kind).Lasts ? row.Until : frame;
+  row.Until = IsLasting(row) ? row.Until : frame;
 }
+
+/// The Until of all that stay for a while: from the frame at which the last of their Row comes, or
+/// may come, at most to the last frame.
+void SetHolds(int lastFrame, std::vector<Constraint>& rows);
 
 /// The earliest frame at which a row may be met.
 inline int EarliestFrame(const Constraint& row)

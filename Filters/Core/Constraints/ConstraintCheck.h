@@ -47,7 +47,7 @@ bool IsBinding(const Constraint& constraint, const std::vector<ReportRow>& repor
 
 /// Fills Residual (distance beyond Radius, in the unit of Value) and ObjectId of the lines of
 /// positions, velocities, accelerations and rests, from positions: velocities and accelerations by
-/// CentralVelocities once and twice, a rest by its largest distance to the resting position from
+/// CentralDifferences once and twice, a rest by its largest distance to the resting position from
 /// Frame to Until. A line that was Met and exceeds the tolerance (1e-9 L; 1e-6 of the tracks' top
 /// speed; for accelerations that, times frames per second) becomes Unreachable; the message says by
 /// how much, after any sentence that was there. Lines that were not Met keep Status and Message;

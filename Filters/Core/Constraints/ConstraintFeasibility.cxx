@@ -116,7 +116,8 @@ std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
                       row.Target != OfNoRow && !IsAttitude(row.Kind);
   if (isHung)
   {
-    return "object " + std::to_string(object->ObjectId) + " hangs at its start until frame " +
+    return "object " + std::to_string(object->ObjectId) +
+           (object->Hangs() ? " hangs at its start until frame " : " appears at frame ") +
            std::to_string(object->Release) + ", expected a later frame";
   }
   switch (row.Kind)

@@ -163,8 +163,8 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
   MotionScales scales{ scene.Bounds.Width(), 0.0, scene.Time.FramesPerSecond };
   for (const Track& track : tracks)
   {
-    Motion motion{ &track, nullptr, CentralVelocities(track.Positions, step), {} };
-    motion.Accelerations = CentralVelocities(motion.Velocities, step);
+    Motion motion{ &track, nullptr, CentralVelocities(track, step), {} };
+    motion.Accelerations = CentralDifferences(motion.Velocities, step, track.FirstPresent);
     for (const Vec3& v : motion.Velocities)
     {
       scales.TopSpeed = std::max(scales.TopSpeed, v.norm());

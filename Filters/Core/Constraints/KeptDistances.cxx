@@ -15,10 +15,11 @@ constexpr double ShortestParting = 1.0, LongestParting = 3.0; // s
 } // namespace
 
 void KeptDistances::AddBody(double radius, double settlingSpeed, int frames,
-                            std::vector<HeldMark> marks)
+                            std::vector<HeldMark> marks, int first)
 {
   Body body;
   body.Radius = radius;
+  body.First = first;
   // Pushed off evenly it is at its fastest at the end: twice the radius over the time.
   const double seconds = 2.0 * radius < LongestParting * settlingSpeed
                            ? std::max(ShortestParting, 2.0 * radius / settlingSpeed)

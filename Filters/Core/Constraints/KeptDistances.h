@@ -32,9 +32,12 @@ public:
 
   /// radius: half of what two like it need between their centres; settlingSpeed: a second. Of
   /// several marks at a frame the narrowest counts.
-  void AddBody(double radius, double settlingSpeed, int frames, std::vector<HeldMark> marks);
+  /// first: frame from which it is in the shot.
+  void AddBody(double radius, double settlingSpeed, int frames, std::vector<HeldMark> marks,
+               int first = 0);
 
   std::size_t NumberOfBodies() const { return this->Bodies.size(); }
+  bool IsPresent(int frame, std::size_t body) const { return frame >= this->Bodies[body].First; }
   /// What two bodies need, without a look at marks.
   double Needed(std::size_t a, std::size_t b) const
   {
@@ -51,6 +54,7 @@ private:
   {
     double Radius;
     double Parting; // frames in which it comes to leave the whole of its radius
+    int First;      // frame from which it is in the shot
     std::vector<HeldMark> Marks;
     std::vector<int> Next; // by frame: the first mark that is not before it
   };

@@ -28,6 +28,7 @@ struct AnimatedObject
   std::vector<Vec3> Positions;
   std::vector<Quat> Orientations; // body to world, unit
   std::vector<int> Marks = {};    // frames whose keys stay when keys are thinned
+  int FirstPresent = 0;           // frame from which it is seen
 };
 
 /// A point or a direction by the axes of glTF.

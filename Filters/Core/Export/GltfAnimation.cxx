@@ -147,6 +147,14 @@ public:
     Elements<float> turns{ std::move(keys.Turns), TINYGLTF_TYPE_VEC4, BodyKeys::TurnWidth };
     this->AddChannel(number, "translation", times, this->AddAccessor(places, 0));
     this->AddChannel(number, "rotation", times, this->AddAccessor(turns, 0));
+    if (object.FirstPresent > 0)
+    {
+      const auto begins = static_cast<float>(object.FirstPresent / this->FramesPerSecond);
+      const int instants = this->AddAccessor(Elements<float>{ { 0.0F, begins } }, 0);
+      const Elements<float> scales{ { 0.0F, 0.0F, 0.0F, 1.0F, 1.0F, 1.0F }, TINYGLTF_TYPE_VEC3, 3 };
+      this->AddChannel(number, "scale", instants, this->AddAccessor(scales, 0), "STEP");
+      this->Model.nodes.back().scale = { 0.0, 0.0, 0.0 };
+    }
   }
 
   bool Save(std::string& bytes)
@@ -308,13 +316,14 @@ private:
     return static_cast<int>(this->Model.materials.size()) - 1;
   }
 
-  void AddChannel(int node, const char* path, int times, int accessor)
+  void AddChannel(int node, const char* path, int times, int accessor,
+                  const char* interpolation = "LINEAR")
   {
     tinygltf::Animation& animation = this->Model.animations[0];
     tinygltf::AnimationSampler sampler;
     sampler.input = times;
     sampler.output = accessor;
-    sampler.interpolation = "LINEAR";
+    sampler.interpolation = interpolation;
     tinygltf::AnimationChannel channel;
     channel.sampler = static_cast<int>(animation.samplers.size());
     channel.target_node = node;

@@ -21,7 +21,8 @@ constexpr const char* GltfSign = R"("generator":"Waft")";
 /// translation of a root node, the parent of all others. glTF is y-up: a point (x, y, z) is written
 /// as (x, z, -y), a quaternion (w, x, y, z) as (w, x, z, -y). Nodes are named after shape and
 /// ObjectId (leaf-0, leaf-1, oak-2, ...), which is also in their extras; keys are linear, at frame
-/// / framesPerSecond; framesPerSecond itself is in the asset's extras. There is a key a frame, and
+/// / framesPerSecond; a body that is not in the shot at first has a scale of 0 until it is, in
+/// steps. framesPerSecond itself is in the asset's extras. There is a key a frame, and
 /// one list of times for all, unless the poses of all objects are more than `mostWholeKeys`: then
 /// each object has the keys and the times of KeysToKeep (or all, where that takes less), and `keys`
 /// in the asset's extras says how many of how many, the number of frames, and the tolerances.

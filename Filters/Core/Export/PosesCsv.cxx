@@ -4,6 +4,7 @@
 #include "Base/AtomicFile.h"
 #include "Base/FractionDone.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace waft
@@ -52,13 +53,17 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
                 const Timeline& time, const std::function<bool(const std::string& text)>& write)
 {
   WAFT_RETURN_IF_FAILED(CheckFit(tracks, poses));
+  const bool comeAndGo = std::any_of(tracks.begin(), tracks.end(),
+                                     [](const Track& track) { return track.FirstPresent > 0; });
   std::string text = PosesCsvHeader;
+  text += comeAndGo ? PresentColumn : "";
+  text += '\n';
   bool isWanted = write(text);
   for (std::size_t i = 0; i < tracks.size() && isWanted; ++i)
   {
     const Track& track = tracks[i];
     const PoseTrack& pose = poses[i];
-    const std::vector<Vec3> velocities = CentralVelocities(track.Positions, time.Step());
+    const std::vector<Vec3> velocities = CentralVelocities(track, time.Step());
     text.clear();
     for (std::size_t k = 0; k < track.Positions.size(); ++k)
     {
@@ -69,6 +74,7 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
       AppendVector(pose.Orientations[k].vec(), text);
       AppendVector(velocities[k], text);
       AppendVector(pose.AngularVelocities[k], text);
+      text += !comeAndGo ? "" : track.IsPresent(k) ? ",1" : ",0";
       text += '\n';
     }
     isWanted = write(text);

@@ -19,7 +19,7 @@ public:
   {
     this->Marks[0].Position = object.Position;
     this->Marks[0].Until = object.Released();
-    this->Marks[0].Halts = object.Release > 0;
+    this->Marks[0].Halts = object.Hangs();
   }
 
   /// landing: where it lies then.
@@ -46,12 +46,14 @@ public:
       return;
     }
     const Mark& before = std::prev(this->Marks.upper_bound(row.Frame))->second;
-    if (before.IsRest && before.Until >= row.Frame)
+    if ((before.IsRest || before.Halts) && before.Until >= row.Frame)
     {
       return;
     }
     Mark mark;
-    mark.Frame = mark.Until = row.Frame;
+    mark.Frame = row.Frame;
+    mark.Until = std::min(LastFrame(row), this->Scene.Time.NumberOfFrames - 1);
+    mark.Halts = mark.Until > mark.Frame;
     mark.Position = row.Value;
     mark.Radius = row.Radius;
     mark.Constraint = index;

@@ -117,8 +117,7 @@ void GiveOut(const PlanInput& input, const PlanOptions& options, const SegmentLi
     }
     ObjectPlan& plan = plans.Plans[i];
     Track track;
-    track.ObjectId = input.Objects[i].ObjectId;
-    track.Release = input.Objects[i].Release;
+    track.TakeTimes(input.Objects[i]);
     track.Positions = std::move(plan.Positions);
     Annotate(library, plan.Uses, plan.Samples, input.Scene.Time.FramesPerSecond, track,
              output.Vortices);

@@ -23,6 +23,9 @@ bool FliesFreely(const AttitudePlan& plan, int from, int to)
   const double landing = AgreementLanding * plan.LandingTime * rate;
   const double turning = plan.TurningTime * rate;
   return from >= plan.Object->Released() &&
+         std::none_of(plan.Stays.begin(), plan.Stays.end(),
+                      [&](const Constraint& stay)
+                      { return to > stay.Frame && from < LastFrame(stay); }) &&
          std::none_of(plan.Rests.begin(), plan.Rests.end(),
                       [&](const LandingWindow& rest)
                       { return to > rest.Frame - landing && from < rest.Until; }) &&

@@ -125,24 +125,25 @@ private:
   void Start()
   {
     const MotionObject& object = *this->Plan.Object;
+    const int first = std::min(object.FirstPresent(), this->Last);
     FlightState& state = this->State.Flight;
     if (object.OrientationGiven != 0 || this->HasFlown())
     {
       state.Orientation = this->GivenStart();
-      state.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
+      state.SetVelocity(this->Body, this->Path.RelativeVelocities[first]);
     }
     else
     {
       const auto stream = OfStarts + static_cast<std::uint64_t>(object.ObjectId);
       Random random(this->Plan.Seed, stream);
-      if (object.Release > 0)
+      if (object.Hangs())
       {
         state.Orientation = HangingPose(random);
         state.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
       }
       else
       {
-        state = StateInFlight(this->Body, this->Path, random);
+        state = StateInFlight(this->Body, this->Path, first, random);
       }
     }
     if (const Constraint* key = this->KeyAt(0, 0))
@@ -150,29 +151,51 @@ private:
       this->TurnState(this->Towards(state.Orientation, *key) * state.Orientation.conjugate());
       this->Marks.Frames[0].Freedom = PoseFreedom::Fixed;
     }
-    if (object.Release <= 0 && (object.OrientationGiven != 0 || !object.AngularVelocity.isZero()))
+    if (!object.Hangs() && (object.OrientationGiven != 0 || !object.AngularVelocity.isZero()))
     {
       state.SetAngularVelocity(this->Body, object.AngularVelocity / this->Pace());
     }
     if (!this->Path.FastestTurning.empty())
     {
-      this->Out.Slowed[0] =
-        LimitTurning(this->Body, this->Path.FastestTurning[0], this->State.Flight);
+      this->Out.Slowed[first] =
+        LimitTurning(this->Body, this->Path.FastestTurning[first], this->State.Flight);
     }
     if (this->HasFlown())
     {
-      this->TakeFlown(0);
+      this->TakeFlown(first);
     }
     else
     {
-      this->Record(0);
+      this->Record(first);
     }
-    this->Hang(std::min(object.Released(), this->Last));
+    if (object.Hangs())
+    {
+      this->Hang(std::min(object.Release, this->Last));
+    }
+    else
+    {
+      this->Await(first);
+    }
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
       const PlannedRest& rest = this->Plan.Rests.front();
       this->Out.Rests.push_back({ rest.Row, rest.Target, 0, 0 });
       this->LieStill(rest, 0, this->LandingOn(rest).Lay(this->State.Flight.Orientation));
+    }
+  }
+
+  /// As it begins, before it is in the shot.
+  void Await(int first)
+  {
+    this->State.Frame = first;
+    for (int k = 0; k < first; ++k)
+    {
+      this->Marks.Frames[static_cast<std::size_t>(k)].Freedom = PoseFreedom::Fixed;
+      this->Out.Poses.Orientations[k] = this->Out.Poses.Orientations[first];
+      if (!this->Out.Poses.Slips.empty())
+      {
+        this->Out.Poses.Slips[k] = this->Out.Poses.Slips[first];
+      }
     }
   }
 
@@ -182,7 +205,7 @@ private:
   {
     const MotionObject& object = *this->Plan.Object;
     FlightState& state = this->State.Flight;
-    for (int k = 0; release > 0 && k <= release; ++k)
+    for (int k = 0; k <= release; ++k)
     {
       this->State.Frame = k;
       this->Marks.Frames[static_cast<std::size_t>(k)].Freedom = PoseFreedom::Fixed;
@@ -198,6 +221,21 @@ private:
                                              ? Vec3(object.AngularVelocity / this->Pace())
                                              : Vec3(Vec3::Zero()));
       this->Record(k);
+    }
+  }
+
+  /// Where a row holds it, its own velocity in the air is what keeps it there; it turns on.
+  void HoldStill(int frame)
+  {
+    for (const Constraint& stay : this->Plan.Stays)
+    {
+      if (frame > stay.Frame && frame <= LastFrame(stay))
+      {
+        // At the last frame differences of the path have half of the next step.
+        const int still = std::min(frame, std::max(stay.Frame + 1, LastFrame(stay) - 1));
+        this->State.Flight.SetVelocity(
+          this->Body, this->Path.RelativeVelocities[static_cast<std::size_t>(still)]);
+      }
     }
   }
 
@@ -300,6 +338,7 @@ private:
       {
         this->Marks.Changed[k + 1] = 1;
       }
+      this->HoldStill(k + 1);
       this->Record(k + 1);
     }
     this->State.Frame = end;

@@ -54,7 +54,8 @@ struct AttitudePlan
   // other, where they may jump back to those.
   int TurnsFrom = std::numeric_limits<int>::max();
   int TurnsUntil = std::numeric_limits<int>::max();
-  std::vector<int> Held;  // frames where rows hold the centre: it is not moved there
+  std::vector<int> Held;         // frames where rows hold the centre: it is not moved there
+  std::vector<Constraint> Stays; // positions at which it is held for a while
   double Tolerance = 0.0; // m: a vertex deeper than this below a surface is named; also the most
                           // that the centre may be moved
 };

@@ -78,7 +78,14 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
     switch (row.Kind)
     {
       case ConstraintKind::Position:
-        plan.Held.push_back(row.Frame);
+        for (int k = row.Frame; k <= std::min(LastFrame(row), last); ++k)
+        {
+          plan.Held.push_back(k);
+        }
+        if (IsLasting(row))
+        {
+          plan.Stays.push_back(row);
+        }
         if (!row.Facing.isZero())
         {
           plan.Keys.push_back(row);

@@ -9,18 +9,18 @@ namespace
 {
 constexpr double TimeBefore = 2.0; // s
 
-/// The air of the first frame for `frames` frames and what is between them.
-FlightPath AsItBegins(const FlightPath& path, std::size_t frames)
+/// The air of frame `first` for `frames` frames and what is between them.
+FlightPath AsItBegins(const FlightPath& path, int first, std::size_t frames)
 {
   FlightPath before;
   before.Step = path.Step;
   before.Ease = path.Ease;
   before.QuickestChange = path.QuickestChange;
-  const auto hold = [frames](const auto& samples, auto& held)
+  const auto hold = [first, frames](const auto& samples, auto& held)
   {
     if (!samples.empty())
     {
-      held.assign(frames, samples.front());
+      held.assign(frames, samples[static_cast<std::size_t>(first)]);
     }
   };
   hold(path.RelativeVelocities, before.RelativeVelocities);
@@ -51,10 +51,10 @@ Quat HangingPose(Random& random)
   return about * down;
 }
 
-FlightState StateInFlight(const FlightBody& body, const FlightPath& path, Random random)
+FlightState StateInFlight(const FlightBody& body, const FlightPath& path, int first, Random random)
 {
   const auto frames = static_cast<int>(std::ceil(TimeBefore / path.Step));
-  const FlightPath before = AsItBegins(path, static_cast<std::size_t>(frames) + 1);
+  const FlightPath before = AsItBegins(path, first, static_cast<std::size_t>(frames) + 1);
   FlightState state;
   state.Orientation = AnyTurn(random);
   state.SetVelocity(body, before.RelativeVelocities.front());

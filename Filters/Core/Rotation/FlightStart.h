@@ -12,8 +12,8 @@ namespace waft
 Quat HangingPose(Random& random);
 
 /// The state after two seconds of flight, from a pose by chance and no turning, in the air of the
-/// path's first frame and within its limit of turning there: no two bodies begin in step, and none
-/// has to find its way of flying first.
-FlightState StateInFlight(const FlightBody& body, const FlightPath& path, Random random);
+/// path's frame `first` and within its limit of turning there: no two bodies begin in step, and
+/// none has to find its way of flying first.
+FlightState StateInFlight(const FlightBody& body, const FlightPath& path, int first, Random random);
 
 } // namespace waft

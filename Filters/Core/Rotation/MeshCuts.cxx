@@ -72,7 +72,10 @@ KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& r
     const MotionObject& object = *motion.Objects[i];
     const std::vector<Vec3>& path = (*motion.Tracks)[i].Positions;
     std::vector<HeldMark> marks;
-    marks.push_back({ 0, path.front(), 0.0 });
+    for (int f = 0; f <= std::min(object.Released(), frames - 1); ++f)
+    {
+      marks.push_back({ f, path.front(), 0.0 });
+    }
     for (const std::size_t place : places.Of(object.ObjectId))
     {
       const Constraint& row = rows[place];
@@ -87,7 +90,8 @@ KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& r
           { f, IsRest(row.Kind) ? path[static_cast<std::size_t>(f)] : row.Value, RadiusOf(row) });
       }
     }
-    kept.AddBody(object.ClearanceRadius, object.SettlingSpeed, frames, std::move(marks));
+    kept.AddBody(object.ClearanceRadius, object.SettlingSpeed, frames, std::move(marks),
+                 object.FirstPresent());
   }
   return kept;
 }
@@ -105,18 +109,26 @@ std::vector<MeshCut> FindMeshCuts(const PosedMotion& motion, const KeptDistances
            [&](std::size_t begin, std::size_t end)
            {
              MeshPair pair;
-             std::vector<Vec3> places(motion.Tracks->size());
+             std::vector<Vec3> places;
+             std::vector<std::size_t> present; // tracks
              for (std::size_t f = begin; f < end; ++f)
              {
-               for (std::size_t i = 0; i < places.size(); ++i)
+               places.clear();
+               present.clear();
+               for (std::size_t i = 0; i < motion.Tracks->size(); ++i)
                {
-                 places[i] = (*motion.Tracks)[i].Positions[f];
+                 if (kept.IsPresent(static_cast<int>(f), i))
+                 {
+                   places.push_back(motion.PlaceOf(i, f));
+                   present.push_back(i);
+                 }
                }
-               const auto look = [&](std::size_t a, std::size_t b)
+               const auto look = [&](std::size_t i, std::size_t j)
                {
+                 const std::size_t a = present[i], b = present[j];
                  const ContactMesh& one = motion.MeshOf(a);
                  const ContactMesh& other = motion.MeshOf(b);
-                 if ((places[a] - places[b]).norm() > one.Radius() + other.Radius() ||
+                 if ((places[i] - places[j]).norm() > one.Radius() + other.Radius() ||
                      (StandsStill(motion, a, f) && StandsStill(motion, b, f)))
                  {
                    return;

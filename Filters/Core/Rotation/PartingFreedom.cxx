@@ -75,8 +75,9 @@ PartingFreedom FreedomOf(const MotionObject& object, const std::vector<Constrain
 {
   std::vector<char> position(static_cast<std::size_t>(time.NumberOfFrames), 0);
   std::vector<char> pose = position;
-  position[0] = 1;
-  pose[0] = object.OrientationGiven != 0 ? 1 : 0;
+  const int begins = std::min(object.Released(), time.NumberOfFrames - 1);
+  std::fill_n(position.begin(), begins + 1, 1);
+  std::fill_n(pose.begin(), begins + 1, begins > 0 || object.OrientationGiven != 0 ? 1 : 0);
   for (const std::size_t place : places)
   {
     const Given given = GivenBy(rows[place]);

@@ -36,7 +36,7 @@ double MeanFall(const std::function<Glider(std::size_t)>& glider, double speed,
                path.Step = FallStep;
                path.RelativeVelocities.assign(FallFrames + 1, Vec3(0.0, 0.0, -speed));
                path.Ease = own.Ease;
-               FlightState state = StateInFlight(body, path, Random(1, i));
+               FlightState state = StateInFlight(body, path, 0, Random(1, i));
                for (int k = 0; k < FallFrames; ++k)
                {
                  AdvanceFrame(body, path, k, Settling(), nullptr, state);

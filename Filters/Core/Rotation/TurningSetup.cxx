@@ -123,7 +123,7 @@ FlightPath MakePath(const RotationInput& input, std::size_t i, double draw, doub
   path.Step = pace * step;
   path.RelativeVelocities = isDrawn
                               ? std::vector<Vec3>(track.Positions.size(), -draw * Vec3::UnitZ())
-                              : CentralVelocities(track.Positions, step);
+                              : CentralVelocities(track, step);
   const bool given = input.Air != nullptr && !input.Air->IsEmpty();
   const bool blown = !given && input.Wind != nullptr && !input.Wind->IsEmpty() &&
                      input.Wind->Meaning == FieldMeaning::Velocity;

@@ -48,6 +48,7 @@ void SceneReader::ReadConstraints(const SceneNode& node)
     }
   }
   this->AssignChosen(node);
+  SetHolds(this->Out.Info.Time.NumberOfFrames - 1, this->Out.Constraints);
 }
 
 void SceneReader::KeepConstraints(std::size_t count)
@@ -109,6 +110,7 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
     times.Window.To = this->Frame(node.At("frame", "a frame of the scene"));
   }
   times.Set(0, constraint);
+  this->ReadHold(node, constraint);
   if (simple->Lasts)
   {
     constraint.Until = this->ReadUntil(node, times);
@@ -150,6 +152,25 @@ void SceneReader::ReadSides(const SceneNode& node, Constraint& constraint)
       side.Fail("any, up or down");
     }
     constraint.Side = *found;
+  }
+}
+
+void SceneReader::ReadHold(const SceneNode& node, Constraint& constraint) const
+{
+  if (!node.Has("hold"))
+  {
+    return;
+  }
+  const SceneNode hold = node.At("hold", "");
+  constraint.Hold = static_cast<int>(
+    hold.Integer(0, this->Out.Info.Time.NumberOfFrames - 1, "a number of frames of the scene"));
+  if (constraint.Hold > 0 && IsRest(constraint.Kind))
+  {
+    hold.FailWith("expected `hold` only where objects do not rest: `until` says how long they lie");
+  }
+  if (constraint.Hold > 0 && constraint.Radius > 0.0)
+  {
+    hold.FailWith("expected `hold` only with radius 0: who is held is at its place");
   }
 }
 
@@ -279,6 +300,11 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
     node.At("until", "").FailWith("expected `until` only with \"velocity\": \"rest\"");
   }
   ReadSides(node, constraint);
+  this->ReadHold(node, constraint);
+  if (constraint.Hold > 0 && velocity)
+  {
+    node.At("velocity", "").FailWith("expected no velocity with `hold`, which is still");
+  }
   bool inOrder = false;
   if (node.Has("assign"))
   {

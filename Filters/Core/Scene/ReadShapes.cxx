@@ -214,6 +214,9 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
   {
     positions.push_back(node.At("position", "a point [x, y, z]").Vector());
   }
+  bool appears = false;
+  node.Take("appears", appears);
+  object.Appears = appears ? 1 : 0;
   const std::vector<int> releases = this->ReadReleases(node, positions, static_cast<int>(index));
   for (std::size_t i = 0; i < positions.size(); ++i)
   {

@@ -79,7 +79,8 @@ bool IsSameObject(const MotionObject& a, const MotionObject& b)
          IsNear(a.Velocity, b.Velocity) && IsNear(a.Orientation, b.Orientation) &&
          IsNear(a.AngularVelocity, b.AngularVelocity) && IsNear(a.Mass, b.Mass) &&
          IsNear(a.SettlingSpeed, b.SettlingSpeed) && IsNear(a.ClearanceRadius, b.ClearanceRadius) &&
-         IsNear(a.RestHeight, b.RestHeight) && a.Released() == b.Released();
+         IsNear(a.RestHeight, b.RestHeight) && a.Released() == b.Released() &&
+         a.FirstPresent() == b.FirstPresent();
 }
 
 bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
@@ -89,7 +90,7 @@ bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
          (a.Group < 0) == (b.Group < 0) && (a.ObjectId == b.ObjectId || !mindsObject) &&
          a.Side == b.Side && IsNear(a.Facing, b.Facing) &&
          (a.Facing.isZero() || IsNear(a.FacingTolerance, b.FacingTolerance)) &&
-         IsNear(a.Radius, b.Radius) && (a.Until == b.Until || !TraitsOf(a.Kind).Lasts) &&
+         IsNear(a.Radius, b.Radius) && (a.Until == b.Until || !IsLasting(a)) && a.Hold == b.Hold &&
          (IsAttitude(a.Kind) ? IsNear(a.Orientation, b.Orientation) : IsNear(a.Value, b.Value));
 }
 

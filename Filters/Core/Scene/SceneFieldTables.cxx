@@ -76,6 +76,11 @@ Fields Times()
   };
 }
 
+SceneField Hold(const char* sentence)
+{
+  return SceneField("hold", Value::Whole, Frame, sentence).Or("0");
+}
+
 SceneField Radius(const Range& range, const char* unit)
 {
   return SceneField("radius", Value::Number, range, unit).Or("0");
@@ -116,6 +121,9 @@ Fields OfObjects()
             "or each of several at a frame of its own")
       .Of("releases")
       .Or("0"),
+    SceneField("appears", Value::Flag,
+               "it is not in the shot before its release, and begins in flight there")
+      .Or("false"),
     Ordered("of several releases, who goes when").Or("\"random\""),
     SpreadOver("of releases, over the window"),
     { "velocity", Value::Vector, Velocity, "m/s, exact; default: as the air at its start" },
@@ -273,6 +281,7 @@ std::vector<SceneFieldTable> ConstraintTables()
   return {
     { "positionConstraint",
       OfPlacedRow("position") + Fields{ Asked(Value::Vector, Coordinate, "m"),
+                                        Hold("frames for which it stays there, still"),
                                         Radius(Distance, "m; 0: exact"), Facing() } },
     { "window",
       { FrameOf("from", "the first frame of the window").Required(),
@@ -313,8 +322,10 @@ std::vector<SceneFieldTable> ConstraintTables()
           SceneField("velocity", Value::Vector, Velocity, "m/s; rest: the bodies lie from then on")
             .Among({ "none", "rest" })
             .Or("\"none\""),
-          FrameOf("until", "of rest; default: the last frame"), Radius(Distance, "m; 0: exact"),
-          Facing("not of rest"), FaceUp("of rest: the side that looks up (up: its z axis)") } },
+          FrameOf("until", "of rest; default: the last frame"),
+          Hold("frames for which all stay there, still, once the last has come; not of rest"),
+          Radius(Distance, "m; 0: exact"), Facing("not of rest"),
+          FaceUp("of rest: the side that looks up (up: its z axis)") } },
   };
 }
 

@@ -112,6 +112,7 @@ private:
   void ReadPath(const SceneNode& node, int row);
   /// Of a rest, `until` where it is there, else the last frame.
   int ReadUntil(const SceneNode& node, const RowTimes& times) const;
+  void ReadHold(const SceneNode& node, Constraint& constraint) const;
 
   // ReadTimes.cxx
   /// Of the objects of an entry, -1 where they fly from the first frame.

@@ -188,6 +188,12 @@ SceneJson Together(const std::string& table)
     {"if": {"properties": {"order": {"const": "air"}}},
      "else": {"properties": {"frame": {"type": "object"}}}},
     {"if": {"properties": {"spread": {"const": "even"}}}, "else": {"required": ["order"]}}])");
+  if (table != "restConstraint")
+  {
+    all.push_back(SceneJson::parse(R"(
+      {"if": {"properties": {"hold": {"const": 0}}},
+       "else": {"properties": {"radius": {"const": 0}, "velocity": {"const": "none"}}}})"));
+  }
   if (isKeyframe)
   {
     all.push_back(SceneJson::parse(R"(

@@ -96,6 +96,14 @@ bool FormatTimes(const std::vector<const Constraint*>& rows, SceneJson& json)
   return false;
 }
 
+void FormatHold(const Constraint& row, SceneJson& json)
+{
+  if (row.Hold > 0)
+  {
+    json["hold"] = row.Hold;
+  }
+}
+
 /// Whether the targets of a keyframe may be rows of this kind.
 bool IsOfKeyframe(ConstraintKind kind)
 {
@@ -157,6 +165,7 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
   {
     json["radius"] = row.Radius;
   }
+  FormatHold(row, json);
   FormatSides(row, json);
   return true;
 }
@@ -168,9 +177,9 @@ bool SceneFormat::FormatPath(const Rows& rows, SceneJson& json) const
   for (const Constraint* row : rows)
   {
     if (row->Kind != ConstraintKind::Position || row->Group >= 0 || row->ClassId >= 0 ||
-        !row->Facing.isZero() || row->ObjectId < 0 || row->ObjectId != first.ObjectId ||
-        row->Target != first.Target || row->Radius != first.Radius ||
-        row->Frame != first.Frame + static_cast<int>(points.size()))
+        !row->Facing.isZero() || row->Hold > 0 || row->ObjectId < 0 ||
+        row->ObjectId != first.ObjectId || row->Target != first.Target ||
+        row->Radius != first.Radius || row->Frame != first.Frame + static_cast<int>(points.size()))
     {
       return false;
     }
@@ -216,8 +225,8 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   {
     if (IsOfKeyframe(row->Kind))
     {
-      if (row->Kind != first.Kind || row->Radius != first.Radius || !HaveSameSides(*row, first) ||
-          (IsRest(row->Kind) && row->Until != first.Until))
+      if (row->Kind != first.Kind || row->Radius != first.Radius || row->Hold != first.Hold ||
+          !HaveSameSides(*row, first) || (IsRest(row->Kind) && row->Until != first.Until))
       {
         return false;
       }
@@ -282,6 +291,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   {
     json["radius"] = first.Radius;
   }
+  FormatHold(first, json);
   FormatSides(first, json);
   return true;
 }

@@ -282,6 +282,10 @@ SceneJson SceneFormat::FormatObject(const MotionObject& object) const
   if (object.Release > 0)
   {
     json["release"] = object.Release;
+    if (object.Appears != 0)
+    {
+      json["appears"] = true;
+    }
   }
   if (object.ClassId != shape.ClassId)
   {

@@ -6,7 +6,7 @@ import numpy as np
 
 _HAS_SLOTS = bpy.app.version >= (4, 4, 0)  # 4.3 has some of the names, but actions without slots
 _NO_SLOT = "-"  # in the place of an identifier: the action of an object that none of its slots animates
-_LINEAR = 1  # of Keyframe.interpolation
+_CONSTANT, _LINEAR = 0, 1  # of Keyframe.interpolation
 
 
 def curves_of(owner):
@@ -61,20 +61,37 @@ def replace_curves(action, thing, values, first_frame, identifier="", pace=1.0):
     """Gives an action keys of an object at each frame from first_frame on, linear between, for values {data path: array [frames,
     components]}, in the place of what it had there. identifier: what slot_of tells of the object's slot in it; pace: see pace_of.
     Returns that of the slot that they are in."""
+    curves, identifier = _emptied(action, thing, values, identifier)
+    for path, table in values.items():
+        times = pace * (first_frame + np.arange(len(table)))
+        for component in range(table.shape[1]):
+            _add_keys(curves.new(path, index=component), times, table[:, component], _LINEAR)
+    return identifier
+
+
+def replace_steps(action, thing, paths, values, first_frame, identifier="", pace=1.0):
+    """Gives an action keys of an object where values [frames] change, on all of some data paths, constant between. The rest as in
+    replace_curves."""
+    curves, _ = _emptied(action, thing, paths, identifier)
+    changes = np.flatnonzero(np.diff(values, prepend=~values[:1]))
+    for path in paths:
+        _add_keys(curves.new(path), pace * (first_frame + changes), values[changes], _CONSTANT)
+
+
+def _emptied(action, thing, paths, identifier):
+    """_curves_to_write, without those of some data paths."""
     curves, identifier = _curves_to_write(action, thing, identifier)
     for curve in list(curves):
-        if curve.data_path in values:
+        if curve.data_path in paths:
             curves.remove(curve)
-    for path, table in values.items():
-        for component in range(table.shape[1]):
-            curve = curves.new(path, index=component)
-            count = len(table)
-            keys = np.column_stack([pace * (first_frame + np.arange(count)), table[:, component]])
-            curve.keyframe_points.add(count)
-            curve.keyframe_points.foreach_set("co", keys.astype(np.float32).ravel())
-            curve.keyframe_points.foreach_set("interpolation", np.full(count, _LINEAR, np.int32))
-            curve.update()
-    return identifier
+    return curves, identifier
+
+
+def _add_keys(curve, times, values, interpolation):
+    curve.keyframe_points.add(len(times))
+    curve.keyframe_points.foreach_set("co", np.column_stack([times, values]).astype(np.float32).ravel())
+    curve.keyframe_points.foreach_set("interpolation", np.full(len(times), interpolation, np.int32))
+    curve.update()
 
 
 def play(thing, action, identifier=""):

@@ -82,15 +82,18 @@ def _has_poses(folder):
 
 
 def read_poses(folder, objects, frames):
-    """(positions [objects, frames, 3], orientations [objects, frames, 4]) of a result; ValueError where it is not whole."""
+    """(positions [objects, frames, 3], orientations [objects, frames, 4], whether they are in the shot [objects, frames]) of a result;
+    ValueError where it is not whole."""
     with open(os.path.join(folder, _POSES), encoding="ascii") as stream:
-        width = stream.readline().count(",") + 1
+        names = stream.readline().strip().split(",")
+        width = len(names)
         values = np.fromstring(stream.read().replace("\n", ","), sep=",")
     if values.size != objects * frames * width:
         raise ValueError(f"{folder}/{_POSES}: expected {objects} objects at {frames} frames, found {values.size / width:g} lines")
     table = values.reshape(-1, width)
     table = table[np.lexsort((table[:, 1], table[:, 0]))].reshape(objects, frames, width)
-    return table[:, :, 3:6], table[:, :, 6:10]
+    present = table[:, :, -1] > 0.0 if names[-1] == "present" else np.ones((objects, frames), bool)
+    return table[:, :, 3:6], table[:, :, 6:10], present
 
 
 def marks(folder):

@@ -3,7 +3,7 @@
 import math
 
 import bpy
-from bpy.props import (BoolProperty, CollectionProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty,
+from bpy.props import (BoolProperty, BoolVectorProperty, CollectionProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty,
                        PointerProperty, StringProperty)
 
 from . import takes
@@ -84,6 +84,7 @@ class ObjectSettings(bpy.types.PropertyGroup):
     own_slot: StringProperty(override=_OWN)
     own_mode: StringProperty(override=_OWN)
     own_pose: FloatVectorProperty(size=POSE_SIZE, override=_OWN)
+    own_hiding: BoolVectorProperty(size=2, override=_OWN)
     takes: CollectionProperty(type=ObjectTake, override=_OWN | {"USE_INSERTION"})
 
 

@@ -8,11 +8,13 @@ from .names import by_name
 from .sampling import frame_kept, pose_values, set_pose
 
 _MOTION = ("location", "rotation_quaternion")
+_HIDING = ("hide_viewport", "hide_render")
 _OFF = 1e-4  # of its distance from the origin, and of 1: an object that is farther from its place is moved by something else
 
 
-def add(scene, values, stage, positions, orientations):
-    """Gives each flyer that is still there an action with its motion, and shows the take. values: of its properties. Returns the names of
+def add(scene, values, stage, positions, orientations, present):
+    """Gives each flyer that is still there an action with its motion, and shows the take. values: of its properties; present: where flyers
+    are not, they are hidden. Returns the names of
     the flyers that are gone, and (name, metres) of those that something else moves."""
     name = values["name"]
     gone, placed = [], []
@@ -30,6 +32,8 @@ def add(scene, values, stage, positions, orientations):
         action.name = f"{name} {flyer}"
         locations, turns = stage.placements(index, positions[index], orientations[index])
         slot = curves.replace_curves(action, thing, dict(zip(_MOTION, (locations, turns))), stage.frames[0], settings.own_slot, stage.pace)
+        if not present[index].all():
+            curves.replace_steps(action, thing, _HIDING, ~present[index], stage.frames[0], slot, stage.pace)
         entry = settings.takes.add()
         entry.name = name
         entry.action = action
@@ -61,6 +65,7 @@ def _keep_own(thing):
     settings.own_slot = curves.slot_of(thing)
     settings.own_mode = thing.rotation_mode
     settings.own_pose = pose_values(thing)
+    settings.own_hiding = [getattr(thing, name) for name in _HIDING]
 
 
 def show(scene, index):
@@ -72,8 +77,15 @@ def show(scene, index):
         entry = thing.waft.takes.get(name)
         if entry is not None and thing.library is None:
             thing.rotation_mode = "QUATERNION"
+            _set_hiding(thing)
             curves.play(thing, entry.action, entry.slot)
     scene.frame_set(scene.frame_current, subframe=scene.frame_subframe)
+
+
+def _set_hiding(thing):
+    """As it was hidden before its first take."""
+    for name, value in zip(_HIDING, thing.waft.own_hiding):
+        setattr(thing, name, value)
 
 
 def remove(scene, index):
@@ -113,5 +125,6 @@ def _give_back(thing):
     curves.play(thing, settings.own_action, settings.own_slot)
     thing.rotation_mode = settings.own_mode
     set_pose(thing, list(settings.own_pose))
-    for name in ("own_action", "own_slot", "own_mode", "own_pose"):
+    _set_hiding(thing)
+    for name in ("own_action", "own_slot", "own_mode", "own_pose", "own_hiding"):
         settings.property_unset(name)

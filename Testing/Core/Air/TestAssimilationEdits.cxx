@@ -239,7 +239,7 @@ TEST(AssimilationStart, IsTheVelocityThatIsGiven)
   input.Objects[0].Velocity = Vec3(0.3, -0.2, 0.1);
   input.Objects[0].VelocityGiven = 1;
   const AssimilationOutput output = Assimilated(input, Small());
-  const Vec3 begun = CentralVelocities(output.Tracks[0].Positions, 1.0 / 30.0).front();
+  const Vec3 begun = CentralDifferences(output.Tracks[0].Positions, 1.0 / 30.0).front();
   EXPECT_LT((begun - input.Objects[0].Velocity).norm(), 1e-12);
 }
 

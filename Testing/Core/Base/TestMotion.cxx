@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace waft;
 
-TEST(CentralVelocities, AreExactForAParabolaUpToTheEnds)
+TEST(CentralDifferences, AreExactForAParabolaUpToTheEnds)
 {
   const double step = 0.1;
   std::vector<Vec3> positions;
@@ -14,7 +16,7 @@ TEST(CentralVelocities, AreExactForAParabolaUpToTheEnds)
     const double t = k * step;
     positions.emplace_back(1.0 + 2.0 * t - 3.0 * t * t, t * t, -t);
   }
-  const std::vector<Vec3> velocities = CentralVelocities(positions, step);
+  const std::vector<Vec3> velocities = CentralDifferences(positions, step);
   ASSERT_EQ(velocities.size(), positions.size());
   for (int k = 0; k < 7; ++k)
   {
@@ -23,12 +25,41 @@ TEST(CentralVelocities, AreExactForAParabolaUpToTheEnds)
   }
 }
 
-TEST(CentralVelocities, OfOneAndTwoSamples)
+TEST(CentralDifferences, OfOneAndTwoSamples)
 {
-  EXPECT_EQ(CentralVelocities({ Vec3::Ones() }, 0.5)[0], Vec3(Vec3::Zero()));
-  const auto two = CentralVelocities({ Vec3::Zero(), Vec3::Ones() }, 0.5);
+  EXPECT_EQ(CentralDifferences({ Vec3::Ones() }, 0.5)[0], Vec3(Vec3::Zero()));
+  const auto two = CentralDifferences({ Vec3::Zero(), Vec3::Ones() }, 0.5);
   EXPECT_EQ(two[0], Vec3(2.0, 2.0, 2.0));
   EXPECT_EQ(two[1], Vec3(2.0, 2.0, 2.0));
+}
+
+TEST(CentralDifferences, BeginWhereTheObjectComesIntoTheShot)
+{
+  Track track;
+  MotionObject object;
+  object.ObjectId = 7;
+  object.Release = 3;
+  object.Appears = 1;
+  track.TakeTimes(object);
+  EXPECT_EQ(3, track.FirstPresent);
+  EXPECT_FALSE(track.IsPresent(2));
+  EXPECT_TRUE(track.IsPresent(3));
+  for (int k = 0; k < 7; ++k)
+  {
+    const double t = 0.1 * std::max(k - 3, 0);
+    track.Positions.emplace_back(2.0 * t - 3.0 * t * t, t * t, -t);
+  }
+  const std::vector<Vec3> velocities = CentralVelocities(track, 0.1);
+  for (int k = 0; k < 7; ++k)
+  {
+    const double t = 0.1 * (k - 3);
+    const Vec3 wanted = k < 3 ? Vec3(Vec3::Zero()) : Vec3(2.0 - 6.0 * t, 2.0 * t, -1.0);
+    EXPECT_LT((velocities[static_cast<std::size_t>(k)] - wanted).norm(), 1e-13) << k;
+  }
+  object.Appears = 0; // it hangs there
+  track.TakeTimes(object);
+  EXPECT_EQ(0, track.FirstPresent);
+  EXPECT_EQ(3, track.Release);
 }
 
 TEST(ObstacleMesh, MovesBetweenItsFrames)

@@ -138,8 +138,8 @@ TEST(ConstraintCheck, StencilsAreTheCentralDifferences)
   {
     p = random.Direction();
   }
-  const auto v = CentralVelocities(x, time.Step());
-  const auto a = CentralVelocities(v, time.Step());
+  const auto v = CentralDifferences(x, time.Step());
+  const auto a = CentralDifferences(v, time.Step());
   for (int f = 0; f < 9; ++f)
   {
     Vec3 sumV = Vec3::Zero(), sumA = Vec3::Zero();
@@ -278,8 +278,8 @@ TEST(ConstraintCheck, AgreesWithDenseLinearAlgebraOnExactRows)
     {
       x.push_back(x.back() + 0.1 * random.Direction());
     }
-    const std::vector<Vec3> v = CentralVelocities(x, f.Scene.Time.Step());
-    const std::vector<Vec3> a = CentralVelocities(v, f.Scene.Time.Step());
+    const std::vector<Vec3> v = CentralDifferences(x, f.Scene.Time.Step());
+    const std::vector<Vec3> a = CentralDifferences(v, f.Scene.Time.Step());
     Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(1, frames + 3); // coefficients and values
     kept(0, 0) = 1.0;
     kept.row(0).tail<3>() = x[0].transpose();

@@ -21,8 +21,8 @@ TEST(ConstraintResiduals, AreDistancesBeyondTheRadius)
     track.Positions[k] = Vec3(-0.5, 1, 0.01);
   }
   track.Positions[64].x() += 0.02;
-  const auto v = CentralVelocities(track.Positions, 0.1);
-  const auto a = CentralVelocities(v, 0.1);
+  const auto v = CentralDifferences(track.Positions, 0.1);
+  const auto a = CentralDifferences(v, 0.1);
   f.Add(Kind::Position, 10, track.Positions[10]);
   f.Add(Kind::Position, 11, track.Positions[11] + Vec3(0, 0.3, 0), 0.1);
   f.Add(Kind::Position, 12, track.Positions[12] + Vec3(0, 0.3, 0), 0.31);

@@ -284,3 +284,34 @@ TEST(ImageFile, OnlyImagesAreTaken)
   EXPECT_FALSE(ReadImageFile("/no/such/image.png", image));
   EXPECT_FALSE(ReadImageFile(__FILE__, image));
 }
+
+TEST(GltfAnimation, WhoComesIntoTheShotIsNothingBefore)
+{
+  std::vector<AnimatedObject> objects = Objects();
+  objects[1].FirstPresent = 4;
+  tinygltf::Model model;
+  ASSERT_NO_FATAL_FAILURE(WriteAndRead(Shapes(), objects, 2.0, model));
+  const tinygltf::Animation& animation = model.animations[0];
+  ASSERT_EQ(7u, animation.channels.size()); // two an object, and one
+  for (const tinygltf::AnimationChannel& channel : animation.channels)
+  {
+    const tinygltf::AnimationSampler& sampler =
+      animation.samplers[static_cast<std::size_t>(channel.sampler)];
+    if (channel.target_path != "scale")
+    {
+      EXPECT_EQ("LINEAR", sampler.interpolation);
+      continue;
+    }
+    EXPECT_EQ(1, channel.target_node);
+    EXPECT_EQ("STEP", sampler.interpolation);
+    const float* times = Floats(model, sampler.input);
+    const float* scales = Floats(model, sampler.output);
+    EXPECT_EQ(0.0F, times[0]);
+    EXPECT_EQ(2.0F, times[1]);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_EQ(0.0F, scales[c]);
+      EXPECT_EQ(1.0F, scales[3 + c]);
+    }
+  }
+}

@@ -39,7 +39,7 @@ TEST(PosesCsv, ReadsBackBitByBit)
   EXPECT_EQ(line, "object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz");
   for (int i = 0; i < 2; ++i)
   {
-    const std::vector<Vec3> velocities = CentralVelocities(tracks[i].Positions, time.Step());
+    const std::vector<Vec3> velocities = CentralDifferences(tracks[i].Positions, time.Step());
     for (int k = 0; k < 5; ++k)
     {
       ASSERT_TRUE(std::getline(lines, line));
@@ -92,4 +92,34 @@ TEST(PosesCsv, IsNotWrittenWhenItIsStopped)
   const Result result = WritePosesCsv("/nowhere/poses.csv", tracks, poses, { 1, 24.0 }, monitor);
   EXPECT_TRUE(result); // a folder that is not there would fail
   EXPECT_TRUE(result.IsStopped());
+}
+
+TEST(PosesCsv, SaysWhoIsInTheShotWhereAnyIsNot)
+{
+  std::vector<Track> tracks(2);
+  std::vector<PoseTrack> poses(2);
+  for (int i = 0; i < 2; ++i)
+  {
+    tracks[i].ObjectId = poses[i].ObjectId = i;
+    tracks[i].Positions.assign(4, Vec3(i, 0.0, 0.0));
+    poses[i].Orientations.assign(4, Quat::Identity());
+    poses[i].AngularVelocities.assign(4, Vec3::Zero());
+  }
+  tracks[1].FirstPresent = 2;
+  std::string text;
+  ASSERT_TRUE(PosesCsv(tracks, poses, { 4, 24.0 },
+                       [&text](const std::string& part)
+                       {
+                         text += part;
+                         return true;
+                       }));
+  std::istringstream lines(text);
+  std::string line, present;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,present");
+  while (std::getline(lines, line))
+  {
+    present += line.back();
+  }
+  EXPECT_EQ("11110011", present);
 }

@@ -185,7 +185,7 @@ TEST(Planner, FliesFreeWithoutRowsAndAfterTheLastOne)
     AppendStyle(track.Positions, 1.0 / 30.0, style);
   }
   EXPECT_EQ(output.Tracks[2].Positions[60], Vec3(0.5, -0.9, 2.6));
-  const Vec3 velocity = CentralVelocities(output.Tracks[1].Positions, 1.0 / 30.0)[0];
+  const Vec3 velocity = CentralDifferences(output.Tracks[1].Positions, 1.0 / 30.0)[0];
   EXPECT_LT((velocity - Vec3(0.3, 0.4, -0.1)).norm(), 1e-9);
   const StyleSamples reference = StyleOf(test::SwirlDatabase());
   EXPECT_LE(KolmogorovSmirnov(reference.LogCurvature, style.LogCurvature), 0.20);
@@ -246,8 +246,8 @@ TEST(Planner, MeetsVelocitiesAccelerationsAndAGivenPath)
   }
   const PlanOutput output = scene.Run(5);
   const std::vector<Vec3>& p = output.Tracks[0].Positions;
-  const std::vector<Vec3> velocities = CentralVelocities(p, 1.0 / 30.0);
-  const std::vector<Vec3> accelerations = CentralVelocities(velocities, 1.0 / 30.0);
+  const std::vector<Vec3> velocities = CentralDifferences(p, 1.0 / 30.0);
+  const std::vector<Vec3> accelerations = CentralDifferences(velocities, 1.0 / 30.0);
   EXPECT_LT((velocities[40] - Vec3(0.3, -0.2, 0.1)).norm(), 1e-9);
   EXPECT_LE((velocities[100] - Vec3(0.5, 0.0, 0.0)).norm(), 0.01);
   EXPECT_LT((accelerations[130] - Vec3(0.0, 0.4, -0.3)).norm(), 1e-8);

@@ -30,7 +30,7 @@ TEST(Symmetry, AirThatMovesAlongTurnsNothing)
 {
   RotationInput input = OneObject(CurledLeaf(), SwayingPath(100));
   input.Tracks[0].AirVelocities =
-    CentralVelocities(input.Tracks[0].Positions, input.Scene.Time.Step());
+    CentralDifferences(input.Tracks[0].Positions, input.Scene.Time.Step());
   input.Objects[0].Orientation = Quat(0.8, 0.1, -0.5, 0.3).normalized();
   for (const AirModel model : { AirModel::Paper, AirModel::Plate })
   {

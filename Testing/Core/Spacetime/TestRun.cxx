@@ -63,7 +63,7 @@ double Incoherence(const std::vector<Track>& tracks, double r, double step)
   std::vector<std::vector<Vec3>> v;
   for (const Track& track : tracks)
   {
-    v.push_back(CentralVelocities(track.Positions, step));
+    v.push_back(CentralDifferences(track.Positions, step));
   }
   for (std::size_t k = 0; k < tracks[0].Positions.size(); ++k)
   {
@@ -157,7 +157,7 @@ TEST(RunSpacetime, MeetsBallsVelocitiesAndAccelerations)
   const double step = input.Scene.Time.Step();
   const auto x = [&](int o, int k) { return output.Tracks[o].Positions[k]; };
   const auto velocity = [&](int o, int k)
-  { return CentralVelocities(output.Tracks[o].Positions, step)[k]; };
+  { return CentralDifferences(output.Tracks[o].Positions, step)[k]; };
   EXPECT_LE((x(0, 20) - near).norm(), 0.03 + 4e-9);
   EXPECT_LT((velocity(0, 40) - Vec3(0.4, -0.2, 0.1)).norm(), 1e-9);
   EXPECT_LT((velocity(0, 59) - Vec3(0.0, 0.3, -0.2)).norm(), 1e-9);

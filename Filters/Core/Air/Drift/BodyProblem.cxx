@@ -14,7 +14,7 @@ namespace
 
 constexpr double BarrierMargin = 0.01;     // m, that the penalty asks for besides, at most
 constexpr double HandOverTime = 0.1;       // s, beside what is given
-constexpr double TakingTime = 0.3;         // s, in which it takes up what is released
+constexpr double TakingTime = 0.3;         // s, in which it takes up what is let go, or stops
 constexpr double LargestBarrierGap = 0.02; // m
 constexpr int PerturbationWaves = 3;
 constexpr double PerturbationSize = 0.15; // of L, of the slowest wave
@@ -34,6 +34,10 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
     this->Leaving.push_back(landing.Until);
     this->Timed.push_back(this->RestOf(landing).FrameFrom >= 0 ? 1 : 0);
   }
+  if (object.Hangs())
+  {
+    this->Stays.push_back({ 0, object.Release, object.Position });
+  }
   this->AddRows();
   this->FixFrames();
 }
@@ -52,13 +56,19 @@ std::vector<Vec3> BodyProblem::TakenUp(const AirSampler& air) const
 {
   const double rate = this->World.Scene.Time.FramesPerSecond;
   const Vec3 sinking = LawOf(this->Body).Velocity(Vec3::Zero());
-  const Vec3 still =
-    -air.At(std::min(this->Body.Release, this->NumberOfFrames() - 1), this->Body.Position);
-  std::vector<Vec3> slips;
-  for (int k = 0; k + 1 < this->NumberOfFrames(); ++k)
+  std::vector<Vec3> slips(static_cast<std::size_t>(this->NumberOfFrames() - 1), sinking);
+  for (const Stay& stay : this->Stays)
   {
-    const double taken = SmoothStep((k + 0.5 - this->Body.Release) / (TakingTime * rate));
-    slips.push_back((1.0 - taken) * still + taken * sinking);
+    const Vec3 still = -air.At(std::min(stay.Last, this->NumberOfFrames() - 1), stay.Place);
+    for (int k = stay.Last; k + 1 < this->NumberOfFrames(); ++k)
+    {
+      const double taken = SmoothStep((k + 0.5 - stay.Last) / (TakingTime * rate));
+      if (taken >= 1.0)
+      {
+        break;
+      }
+      slips[static_cast<std::size_t>(k)] = (1.0 - taken) * still + taken * sinking;
+    }
   }
   return slips;
 }
@@ -69,10 +79,11 @@ DriftProblem BodyProblem::In(const AirSampler& air) const
   DriftProblem problem;
   problem.Time = time;
   problem.Law = LawOf(this->Body);
-  problem.Slips = this->Slips.empty() && this->Body.Release > 0 ? this->TakenUp(air) : this->Slips;
+  problem.Slips = this->Slips.empty() && !this->Stays.empty() ? this->TakenUp(air) : this->Slips;
   problem.ResponseTime = this->World.Inertia ? problem.Law.ResponseTime(StandardGravity) : 0.0;
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;
+  problem.First = this->Body.FirstPresent();
   problem.Rows = this->DriftRows;
   const int last = this->NumberOfFrames() - 1;
   problem.Ground =
@@ -90,7 +101,7 @@ DriftProblem BodyProblem::In(const AirSampler& air) const
   const auto isGiven = [&](std::size_t k) { return this->IsFixed[k] && this->IsFixed[k + 1]; };
   for (std::size_t k = 0; k < steps; ++k)
   {
-    const bool isLetGo = static_cast<int>(k) == this->Body.Release && !this->Body.VelocityGiven;
+    const bool isLetGo = this->IsLetGoAt(static_cast<int>(k));
     away[k] = isGiven(k) ? 0.0 : k > 0 && !isLetGo ? std::min(away[k], away[k - 1] + 1.0) : away[k];
   }
   const auto isLanding = [&](std::size_t frame)
@@ -102,6 +113,14 @@ DriftProblem BodyProblem::In(const AirSampler& air) const
   {
     away[k] = k + 1 < steps && !isLanding(k + 1) ? std::min(away[k], away[k + 1] + 1.0) : away[k];
   }
+  for (const Stay& stay : this->Stays) // it comes to a stop there by and by
+  {
+    for (int k = std::min(stay.First, static_cast<int>(steps)) - 1; k >= 0; --k)
+    {
+      double& own = away[static_cast<std::size_t>(k)];
+      own = std::min(own, (stay.First - k) * HandOverTime / TakingTime);
+    }
+  }
   for (std::size_t k = 0; k < steps; ++k)
   {
     problem.Flight.push_back(SmoothStep(away[k] / reach));
@@ -109,6 +128,19 @@ DriftProblem BodyProblem::In(const AirSampler& air) const
   problem.TooNear = [this](int frame, const Vec3& x, std::vector<DriftDepth>& depths)
   { this->TooNear(frame, x, depths); };
   return problem;
+}
+
+/// From where it appears, hung or was held, by the air alone.
+bool BodyProblem::IsLetGoAt(int frame) const
+{
+  const bool appears = frame > 0 && frame == this->Body.FirstPresent();
+  return appears ||
+         std::any_of(this->Stays.begin(), this->Stays.end(),
+                     [&](const Stay& stay)
+                     {
+                       const bool isStart = stay.First == 0 && this->Body.Hangs();
+                       return stay.Last == frame && !(isStart && this->Body.VelocityGiven != 0);
+                     });
 }
 
 // On the steps to a frame and from it: while it comes into a landing's window or leaves it, all of

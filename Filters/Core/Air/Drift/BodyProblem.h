@@ -109,14 +109,20 @@ public:
   bool IsClear(std::vector<Vec3> path) const;
 
 private:
+  struct Stay
+  {
+    int First = 0, Last = 0; // frames
+    Vec3 Place = Vec3::Zero();
+  };
   std::vector<int> Marks() const;                         // fixed frames
-  std::vector<Vec3> TakenUp(const AirSampler& air) const; // slips of a released body, by step
+  std::vector<Vec3> TakenUp(const AirSampler& air) const; // slips, by step, of who is let go
   Constraint& RestOf(const LandingWindow& landing);
   /// The plan, brought to the touch-downs as they are set.
   std::vector<Vec3> RetimedPlan() const;
   std::vector<Vec3> Perturbed(std::vector<Vec3> path, const std::vector<int>& marks,
                               Random& random) const;
   void FixFrames();
+  bool IsLetGoAt(int frame) const;
   void AddRows();
   void AddDifference(const Constraint& row);
   Clearance AskedAt(int frame) const;
@@ -138,6 +144,7 @@ private:
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;
   std::vector<std::pair<int, Vec3>> Passed; // frames and places of exact positions
+  std::vector<Stay> Stays;                  // where it hangs or is held still, in no order
   std::vector<DriftRow> DriftRows;
   std::vector<PositionBall> Balls;
   std::vector<DifferenceRow> Differences;

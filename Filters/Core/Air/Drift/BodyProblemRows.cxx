@@ -19,7 +19,15 @@ void BodyProblem::AddRows()
       case ConstraintKind::Position:
         if (row.Radius <= 0.0)
         {
-          this->Passed.emplace_back(row.Frame, row.Value);
+          const int last = std::min(LastFrame(row), this->NumberOfFrames() - 1);
+          for (int frame = row.Frame; frame <= last; ++frame)
+          {
+            this->Passed.emplace_back(frame, row.Value);
+          }
+          if (row.Hold > 0)
+          {
+            this->Stays.push_back({ row.Frame, last, row.Value });
+          }
         }
         else
         {
@@ -46,7 +54,8 @@ void BodyProblem::AddDifference(const Constraint& row)
   const double scale = std::pow(time.Step(), derivative);
   DifferenceRow exact;
   DriftRow sought;
-  for (const auto& [frame, coefficient] : DerivativeStencil(derivative, row.Frame, time))
+  for (const auto& [frame, coefficient] :
+       DerivativeStencil(derivative, row.Frame, time, this->Body.FirstPresent()))
   {
     exact.Terms.push_back({ frame, coefficient * scale });
     sought.Terms.emplace_back(frame, coefficient * std::pow(time.Step(), derivative - 1));

@@ -68,6 +68,7 @@ struct DriftProblem
   /// By step: 1 where it flies by the air alone, 0 where it lies still, between where it is taken
   /// up from a rest or handed over from and to frames that are given.
   std::vector<double> Flight;
+  int First = 0; // frame at which it appears in flight: its path is none before
   GroundEffect Ground;
   std::vector<DriftRow> Rows;
   /// Adds all that a body at x is too near to at a frame; may be empty.

@@ -34,7 +34,7 @@ KeptDistances KeptBy(const std::vector<BodyProblem>& bodies, double framesPerSec
   for (const BodyProblem& body : bodies)
   {
     kept.AddBody(body.Object().ClearanceRadius, body.Object().SettlingSpeed, body.NumberOfFrames(),
-                 body.HeldMarks());
+                 body.HeldMarks(), body.Object().FirstPresent());
   }
   return kept;
 }
@@ -55,24 +55,32 @@ std::vector<DriftContact> FindContacts(const KeptDistances& kept,
   parallel(frames,
            [&](std::size_t begin, std::size_t end)
            {
-             std::vector<Vec3> places(count);
+             std::vector<Vec3> places;
+             std::vector<std::size_t> present; // bodies
              for (std::size_t f = begin; f < end; ++f)
              {
+               const auto frame = static_cast<int>(f);
+               places.clear();
+               present.clear();
                for (std::size_t o = 0; o < count; ++o)
                {
-                 places[o] = paths[o][f];
+                 if (kept.IsPresent(frame, o))
+                 {
+                   places.push_back(paths[o][f]);
+                   present.push_back(o);
+                 }
                }
-               const auto look = [&](std::size_t a, std::size_t b)
+               const auto look = [&](std::size_t i, std::size_t j)
                {
-                 const double apart = (places[a] - places[b]).norm();
+                 const std::size_t a = present[i], b = present[j];
+                 const double apart = (places[i] - places[j]).norm();
                  const double more = margin * kept.Needed(a, b);
                  if (apart < kept.Needed(a, b) + more)
                  {
-                   const auto frame = static_cast<int>(f);
                    double distance = kept.At(frame, a, b);
                    if (extents.Poses != nullptr && apart > OnePlace)
                    {
-                     const Vec3 line = (places[a] - places[b]) / apart;
+                     const Vec3 line = (places[i] - places[j]) / apart;
                      distance = std::min(distance, extents.Needed(a, b, f, line));
                    }
                    if (apart < distance + more)

@@ -106,7 +106,9 @@ private:
     {
       const auto at = static_cast<std::size_t>(f);
       const double free = 1.0 - std::min(this->Problem.Flight[at - 1], this->Problem.Flight[at]);
-      if (free <= 0.0 || (this->IsFixed(f - 1) && this->IsFixed(f) && this->IsFixed(f + 1)))
+      const bool appears = f == this->Problem.First;
+      if (free <= 0.0 || appears ||
+          (this->IsFixed(f - 1) && this->IsFixed(f) && this->IsFixed(f + 1)))
       {
         continue;
       }

@@ -61,7 +61,7 @@ BodyProblem ProblemOf(const AirContext& run, const MotionObject& object,
     row.ObjectId = object.ObjectId;
     row.Kind = ConstraintKind::Velocity;
     row.Frame = object.Released();
-    row.Value = (row.Frame > 0 ? 0.5 : 1.0) * object.Velocity; // half of the difference is still
+    row.Value = (object.Hangs() ? 0.5 : 1.0) * object.Velocity; // half of the difference is still
     row.Row = row.Target = OfNoRow;
     rows.push_back(row);
   }

@@ -273,6 +273,7 @@ Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
   {
     return Result::Stopped();
   }
+  SetHolds(run.Input.Scene.Time.NumberOfFrames - 1, run.Rows);
   return SetUpBodies(run, bodies, output);
 }
 

@@ -275,6 +275,7 @@ Result TakeWho(const std::vector<int>& who, const std::vector<std::vector<Vec3>>
       SetArrival(known->second, row);
     }
   }
+  SetHolds(run.Input.Scene.Time.NumberOfFrames - 1, run.Rows);
   const std::vector<char> counts = CountingRows(run, output.Report);
   for (const ChosenTargets& group : CollectChosen(run.Input.Objects, run.Rows, counts))
   {

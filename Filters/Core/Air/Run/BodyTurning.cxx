@@ -208,8 +208,7 @@ FieldSeries FieldAt(const HalfSeries& air, double time)
 Track FlownTrack(const AirBodies& bodies, std::size_t o)
 {
   Track track;
-  track.ObjectId = bodies.Problems[o].Object().ObjectId;
-  track.Release = bodies.Problems[o].Object().Release;
+  track.TakeTimes(bodies.Problems[o].Object());
   track.Positions = bodies.Paths[o];
   if (!bodies.Poses.empty())
   {

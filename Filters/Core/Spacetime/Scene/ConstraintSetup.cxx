@@ -298,7 +298,10 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
       case ConstraintKind::Position:
         if (row.Radius <= 0.0)
         {
-          Fix(setup, row.Frame, o, row.Value, 0);
+          for (int f = row.Frame; f <= std::min(LastFrame(row), last); ++f)
+          {
+            Fix(setup, f, o, row.Value, 0);
+          }
         }
         else
         {

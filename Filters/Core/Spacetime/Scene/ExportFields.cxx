@@ -288,8 +288,7 @@ bool FieldExport::Write(SpacetimeObjective& objective,
   output.Tracks.assign(model.NumberOfObjects, Track());
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
   {
-    output.Tracks[o].ObjectId = this->Setup.Objects[o].ObjectId;
-    output.Tracks[o].Release = this->Setup.Objects[o].Release;
+    output.Tracks[o].TakeTimes(this->Setup.Objects[o]);
     output.Tracks[o].Positions = positions[o];
     const Track& given = this->Input.Tracks[o]; // it glides as it came
     output.Tracks[o].Slips = given.Slips;

@@ -79,6 +79,26 @@ def _fits(path):
     return is_utf8(path) and 0 < len(name) < 4096 and all(len(part) < 256 for part in name.split(b"/"))
 
 
+def _frame(text):
+    """A time of a new scene as a frame: seconds end with s."""
+    from waft.scene.starting import RATE
+
+    if not text.endswith("s"):
+        return int(text)
+    seconds = float(text[:-1])
+    if not abs(seconds) < 1e4:
+        raise ValueError("no time of a scene")
+    return round(RATE * seconds)
+
+
+def _times(text):
+    first, _, last = text.partition("..")
+    return _frame(first), _frame(last or first)
+
+
+times = _argument(_times, "a time or FIRST..LAST, in seconds (0s..3s) or frames (0..90), not reversed",
+                  lambda t: 0 <= t[0] <= t[1] <= 100000)
+duration = _argument(_frame, "a time in seconds (1s) or frames (30)", lambda n: 0 <= n <= 100000)
 path = _argument(str, "a path in UTF-8 of 1 to 4095 letters, 255 in each name", _fits)
 threads = _whole(1, 1024)
 seed = _whole(0, 2 ** 31 - 1)
@@ -160,6 +180,13 @@ def parser() -> argparse.ArgumentParser:
     begin.add_argument("--shape", choices=definition("shape")["properties"]["builtin"]["enum"], default="maple",
                        help="a built-in shape, default maple")
     begin.add_argument("--count", type=_whole(1, 100000), default=60, help="bodies that form words and pictures, default 60")
+    begin.add_argument("--then", action="append", dest="text", metavar="TEXT", help="the next word; as --text, of the same bodies")
+    begin.add_argument("--release", type=times, metavar="TIMES",
+                       help="when bodies are let go that hang still until then, one after another by chance: 0s..3s, or frames 0..90")
+    begin.add_argument("--arrive", type=times, metavar="TIMES", help="when they come to the first word or picture, default 7s; 4s..8s: one by one")
+    begin.add_argument("--order", choices=("air", "left-to-right", "right-to-left", "top-down", "bottom-up", "outward", "inward", "random",
+                                           "letters", "words", "lines"), help="who comes when in such a time; default air: least control")
+    begin.add_argument("--hold", type=duration, default=0, metavar="TIME", help="how long each word or picture stays, still: 1s, or frames")
     begin.set_defaults(run=run_new, is_guarded=False)
 
     about = add("info", epilog=INFO_EXIT)
@@ -298,7 +325,8 @@ def run_takes(options):
 def run_new(options):
     from waft.scene.starting import new_scene
 
-    scene = new_scene(options.scene, options.text, options.image, options.path, options.obstacle, options.shape, options.count)
+    scene = new_scene(options.scene, options.text, options.image, options.path, options.obstacle, options.shape, options.count,
+                      options.release, options.arrive, options.order, options.hold)
     name = options.scene if not options.scene.startswith("-") else f"./{options.scene}"
     say(f"{options.scene}: {len(scene.objects)} objects, {scene.frames} frames; fly it: waft synthesize {shlex.quote(name)} "
         "--output out --preview")

@@ -37,7 +37,7 @@ class AirField:
         """A field [k, j, i, 3] of the lattice at places [n, 3]."""
         last = np.array(field.shape[2::-1]) - 1
         where = np.clip((places - self.origin) / self.spacing, 0.0, last)
-        low = np.minimum(where.astype(int), np.maximum(last - 1, 0))
+        low = np.minimum(np.nan_to_num(where).astype(int), np.maximum(last - 1, 0))  # of no place the velocity is none
         part = where - low
         high = np.minimum(low + 1, last)
         total = 0.0

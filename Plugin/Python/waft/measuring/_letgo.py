@@ -6,6 +6,7 @@ from waft.scene._kinds import POSITION, REST
 
 LAST = 1.0  # before a mark, when bodies are let go [s]
 BEFORE_TOUCH = 0.8  # the mark of a rest: where its body is then [s]
+BEFORE_HOLD = 0.4  # likewise of a position at which its body is held
 AFTER_LIFT = 0.6  # and when one that lay is let go again [s]
 NEAR = 0.13  # of another's centre or of the floor, where bodies are held off besides [m]
 ROUNDS = 12  # of the mid-point rule; a step's error falls by |grad u| dt / 2 in each
@@ -26,7 +27,8 @@ def legs(run):
             lift = max(int(run.rows["Until"][row]), int(run.rows["LiftOff"][row]))
             rests.setdefault(index, []).append((touch if touch >= 0 else frame, lift))
         elif kind == POSITION and met[row]:
-            marks.setdefault(index, set()).add(frame)
+            stops = int(run.rows["Until"][row]) > frame  # it is held there, and comes to a stop before
+            marks.setdefault(index, set()).add(frame - int(round(BEFORE_HOLD * rate)) if stops else frame)
     found = []
     for index in range(len(run.ids)):
         start = max(int(run.releases[index]), 0)

@@ -218,8 +218,9 @@ def gradients_of(values, origin, spacing, places):
 FACTORS = ("DragCoefficient", "Lift", "RotationalLift", "SlippingMass", "BroadsideSpeed", "Follow", "Pace")
 
 
-def slips_of(plate, of, density, step, poses, rates, gradients, given, releases=0, steps=STEPS):
-    """[body, frame, 3] from those that are given [body, frame, 3] at the frames up to which bodies hang on, by so many steps a frame."""
+def slips_of(plate, of, density, step, poses, rates, gradients, given, still=None, steps=STEPS):
+    """[body, frame, 3] from those that are given [body, frame, 3] at the first frame and wherever bodies hang or are held still (still: [body,
+    frame]) on, by so many steps a frame."""
     count, frames = poses.shape[:2]
     mass = of["SlippingMass"][:, None, None] * np.eye(3) + density * plate.air_mass
     inverse = np.linalg.inv(mass)
@@ -260,8 +261,7 @@ def slips_of(plate, of, density, step, poses, rates, gradients, given, releases=
             three = change(*middle, momentum + 0.5 * h * two)
             four = change(*there, momentum + h * three)
             momentum = momentum + h / 6.0 * (one + 2.0 * two + 2.0 * three + four)
-        hangs = (np.broadcast_to(releases, count) > k)[:, None]
-        if hangs.any():
-            momentum = np.where(hangs, momentum_at(k + 1), momentum)
+        if still is not None and still[:, k + 1].any():
+            momentum = np.where(still[:, k + 1, None], momentum_at(k + 1), momentum)
         slips[:, k + 1] = turned(poses[:, k + 1], velocity_of(poses[:, k + 1], momentum))
     return slips

@@ -10,7 +10,7 @@ from waft.failures import InputError
 from waft.measuring._flights import END, START, Flights
 from waft.measuring._meshcuts import mesh_cuts
 from waft.reading import dynamics
-from waft.results._arrays import array_of, bounds_of, field_of, object_ids, points_of, polylines, rate_of
+from waft.results._arrays import array_of, bounds_of, field_of, object_ids, points_of, polylines, present_of, rate_of
 from waft.results._folder import read_surface
 from waft.results._records import REPORT, record_of
 from waft.results.writing import settled
@@ -46,6 +46,7 @@ class Run:
     figures: dict
     poses_off: float  # how far poses.vtp lies off the tracks in flight at most [m]; NaN without
     releases: np.ndarray  # frames until which objects hang still [object]; -1: they fly from the first
+    still: np.ndarray  # where they hang, or a row holds them [object, frame]
 
     @property
     def width(self):
@@ -69,6 +70,7 @@ def read_run(folder, tracks="optimized"):
     path = os.path.join(folder, f"{tracks}.vtp")
     data = read_surface(below, f"{tracks}.vtp")
     ids, positions, arrays = _tracks(path, data)
+    positions[~arrays.pop("Present")] = np.nan
     bounds, rate = bounds_of(data, path), rate_of(data, path, *MEASURED_RATES)
     slip, radii, releases = _bodies(below, ids)
     orientations, agreement, limit, posed = _poses(below, ids, positions.shape[1])
@@ -79,16 +81,18 @@ def read_run(folder, tracks="optimized"):
     inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip, arrays.get("Slip")), bounds, arrays, rows, ids, touches,
                held(rows, ids, positions.shape[1]), orientations, agreement, limit, radii, inertia, dynamics(data),
-               float(off.max()) if len(off) else np.nan, releases)
+               float(off.max()) if len(off) else np.nan, releases,
+               still(rows, ids, positions.shape[1], releases))
 
 
 def _tracks(path, data):
-    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3], Free [object, frame], where bodies glide
+    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3], Present and Free [object, frame], where bodies glide
     Orientation [object, frame, 4] and AngularVelocity, and where they have inertia ResponseTime [object]."""
     ids, order = polylines(data, path, LEAST_FRAMES)
     columns = data.GetPointData()
     arrays = {name: array_of(columns, name, path, 3, high=np.inf, low=-np.inf)[order] for name in ("AirVelocity", "Control", "Residual", "Slip")
               if columns.HasArray(name)}
+    arrays["Present"] = present_of(columns, path, order)
     if columns.HasArray("Slip") and columns.HasArray("Orientation") and columns.HasArray("AngularVelocity"):
         arrays.update(Orientation=array_of(columns, "Orientation", path, 4)[order], AngularVelocity=array_of(columns, "AngularVelocity", path, 3)[order])
     if data.GetCellData().HasArray("ResponseTime"):
@@ -172,12 +176,25 @@ def flight(rows, ids, frames, rate, releases=None):
             free[index, max(touch - end, 0):until + start] = False
             if touch > 0:
                 touches.append((index, min(touch, frames - 1)))
-        placed = np.isin(number, rows["Frame"][own[rows["Kind"][own] == POSITION]])
+        placed = np.zeros(frames, bool)
+        for row in own[rows["Kind"][own] == POSITION]:
+            placed[rows["Frame"][row]:max(rows["Frame"][row], rows["Until"][row]) + 1] = True
         flying[index, 1:] &= ~(placed[1:] & placed[:-1])
         flying[index, :-1] &= ~(placed[1:] & placed[:-1])
         for frame in np.flatnonzero(placed):
             free[index, np.abs(number - frame) <= NEAR_ROW] = False
     return flying, free & flying, touches
+
+
+def still(rows, ids, frames, releases):
+    """Where objects hang, or are held after they have come to a position [object, frame]."""
+    found = np.arange(frames) <= releases[:, None]
+    place = {number: index for index, number in enumerate(ids.tolist())}
+    for row in np.flatnonzero((rows["Kind"] == POSITION) & (rows["Until"] > rows["Frame"])):
+        index = place.get(int(rows["ObjectId"][row]))
+        if index is not None:
+            found[index, int(rows["Frame"][row]) + 1:int(rows["Until"][row]) + 1] = True
+    return found
 
 
 def held(rows, ids, frames):

@@ -34,6 +34,7 @@ def slips(run, air):
     folder.check_blocks(FILES[2])
     shapes = reading.read_blocks(needed(folder, FILES[2]))
     free = _free(run)
+    places = np.nan_to_num(run.flights.positions)  # where a body is not in the shot, anywhere
     last = int(np.flatnonzero(free.any(axis=0)).max(initial=0)) + 1
     found, theirs = [np.zeros((0, 3))], [np.zeros((0, 3))]
     for shape in np.unique(shape_of):
@@ -42,11 +43,11 @@ def slips(run, air):
             continue
         mesh = shapes.GetBlock(int(shape))
         plate = Plate(points_of(mesh, needed(folder, FILES[2])), triangles_of(mesh, needed(folder, FILES[2])))
-        gradients = np.stack([air.over(lambda field, x: gradients_of(field, air.origin, air.spacing, x), run.flights.positions[which, frame],
+        gradients = np.stack([air.over(lambda field, x: gradients_of(field, air.origin, air.spacing, x), places[which, frame],
                                        frame / run.flights.rate) for frame in range(last)], axis=1)
         lawful = slips_of(plate, {name: values[which] for name, values in factors.items()}, density, 1.0 / run.flights.rate,
                           matrices(run.arrays["Orientation"][which, :last]), run.arrays["AngularVelocity"][which, :last], gradients,
-                          run.arrays["Slip"][which, :last], run.releases[which], STEPS)
+                          run.arrays["Slip"][which, :last], run.still[which, :last], STEPS)
         found.append(lawful[free[which, :last]])
         theirs.append(run.arrays["Slip"][which, :last][free[which, :last]])
     return np.concatenate(found), np.concatenate(theirs)

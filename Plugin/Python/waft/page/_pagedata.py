@@ -81,7 +81,8 @@ def animation_of(folder):
     animation = gltf["animations"][0]
     frames = _keys(gltf, int(animation["samplers"][0]["input"]), rest)
     are_there = all(sampler["input"] < len(gltf["accessors"]) for sampler in animation["samplers"])
-    if len(animation["channels"]) != 2 * len(ids) or len(set(ids)) != len(ids) or len(above) > 1 or not frames or not are_there:
+    keyed = [channel for channel in animation["channels"] if channel.get("target", {}).get("path") != "scale"]
+    if len(keyed) != 2 * len(ids) or len(set(ids)) != len(ids) or len(above) > 1 or not frames or not are_there:
         raise _not_ours(folder, "each object once, with keys of translation and rotation")
     extras = gltf["asset"]["extras"]
     if "keys" in extras:

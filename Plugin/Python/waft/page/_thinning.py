@@ -40,8 +40,7 @@ def _joined(gltf, blocks):
 
 def _thinned(gltf, binary, every):
     """Of keys at all frames, a view of the buffer an accessor, every n-th."""
-    times = {sampler["input"] for sampler in gltf["animations"][0]["samplers"]}
-    keyed = times | {sampler["output"] for sampler in gltf["animations"][0]["samplers"]}
+    keyed = {number for sampler in gltf["animations"][0]["samplers"] if not _steps(sampler) for number in (sampler["input"], sampler["output"])}
     counts = {gltf["accessors"][number]["bufferView"]: gltf["accessors"][number]["count"] for number in keyed}
     kept, at = [], 0
     for number, view in enumerate(gltf["bufferViews"]):
@@ -58,6 +57,11 @@ def _thinned(gltf, binary, every):
         values = np.frombuffer(kept[accessor["bufferView"]], "<f4").reshape(accessor["count"], -1)
         accessor.update(min=values.min(axis=0).tolist(), max=values.max(axis=0).tolist())
     return _joined(gltf, kept)
+
+
+def _steps(sampler):
+    """Whether it says when a body is in the shot: at instants of its own."""
+    return sampler.get("interpolation") == "STEP"
 
 
 def _filled(gltf, binary, frames):
@@ -82,6 +86,12 @@ def _filled(gltf, binary, frames):
     add(times, "SCALAR", min=[float(times[0])], max=[float(times[-1])])
     for channel in animation["channels"]:
         sampler = animation["samplers"][channel["sampler"]]
+        if _steps(sampler):
+            instants, sizes = read(sampler["input"], 1), read(sampler["output"], 3)
+            sampler.update(input=first + len(added), output=first + len(added) + 1)
+            add(instants, "SCALAR", min=[float(instants[0, 0])], max=[float(instants[-1, 0])])
+            add(sizes, "VEC3")
+            continue
         is_turn = channel["target"]["path"] == "rotation"
         keys, values = read(sampler["input"], 1)[:, 0].astype(float), read(sampler["output"], 3 + is_turn).astype(float)
         sampler.update(input=first, output=first + len(added))

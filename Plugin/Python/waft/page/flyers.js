@@ -21,9 +21,11 @@ const FILM = `float facing = saturate(dot(normalize(vViewPosition), normal));
   gl_FragColor = vec4(mix(vec3(1.0), sheen, 0.45) * (0.75 + 0.25 * rim) + glint, saturate(0.06 + 0.75 * rim + glint));`;
 
 class Flyers {
-  constructor(stage, shapes, objects, frames) {
+  // rate: frames a second.
+  constructor(stage, shapes, objects, frames, rate) {
     this.objects = objects;
     this.frames = frames;
+    this.rate = rate;
     this.extents = shapes.map(({ geometry }) => Math.max(...geometry.boundingBox.getSize(new THREE.Vector3()).toArray()));
     this.group = new THREE.Group();
     this.meshes = shapes.map((shape, number) => {
@@ -92,16 +94,27 @@ class Flyers {
     const first = Math.min(Math.floor(frame), this.frames - 1), next = Math.min(first + 1, this.frames - 1);
     const part = frame - first;
     const turn = new THREE.Quaternion(), later = new THREE.Quaternion(), matrix = new THREE.Matrix4();
-    const size = new THREE.Vector3(1, 1, 1);
+    const size = new THREE.Vector3();
     this.objects.forEach((object, index) => {
       const positions = paths ? paths[index] : object.positions;
       const place = this.at[index];
       for (let axis = 0; axis < 3; axis++)
         place.setComponent(axis, positions[3 * first + axis] * (1 - part) + positions[3 * next + axis] * part);
+      const seen = this.sizeAt(object, frame);
+      size.set(seen, seen, seen);
       turn.fromArray(object.rotations, 4 * first).slerp(later.fromArray(object.rotations, 4 * next), part);
       this.meshes[object.shape].setMatrixAt(object.place, matrix.compose(place, turn, size));
     });
     for (const mesh of this.meshes) mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  // 0 where it is not in the shot.
+  sizeAt({ times, sizes }, frame) {
+    if (!times) return 1;
+    const seconds = frame / this.rate + 1e-6;
+    let key = 0;
+    while (key + 1 < times.length && times[key + 1] <= seconds) key++;
+    return sizes[3 * key];
   }
 }
 

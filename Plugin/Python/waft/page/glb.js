@@ -59,12 +59,17 @@ class Glb {
     });
   }
 
-  // One entry an object: its shape, and positions and quaternions (x, y, z, w) of all frames.
+  // One entry an object: its shape, positions and quaternions (x, y, z, w) of all frames, and where it is not seen at all of them
+  // the times [s] from which it is seen or not, with its size.
   objects() {
     const keys = this.json.nodes.map(() => ({}));
     const { channels, samplers } = this.json.animations[0];
-    for (const { sampler, target } of channels) keys[target.node][target.path] = this.accessor(samplers[sampler].output);
+    for (const { sampler, target } of channels) {
+      keys[target.node][target.path] = this.accessor(samplers[sampler].output);
+      if (target.path === "scale") keys[target.node].times = this.accessor(samplers[sampler].input);
+    }
     return this.json.nodes.flatMap(({ name, mesh, extras }, index) => extras ? [{ name, id: extras.ObjectId, shape: mesh,
-      positions: keys[index].translation, rotations: keys[index].rotation }] : []);
+      positions: keys[index].translation, rotations: keys[index].rotation, times: keys[index].times,
+      sizes: keys[index].scale }] : []);
   }
 }

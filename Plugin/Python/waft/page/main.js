@@ -12,7 +12,7 @@ function begin() {
 
   const canvas = byName("canvas");
   const stage = new Stage(canvas, run);
-  const flyers = new Flyers(stage, shapes, objects, run.frames);
+  const flyers = new Flyers(stage, shapes, objects, run.frames, run.rate);
   const marks = new Marks(stage, run, objects, flyers);
   const flown = new Paths(stage, objects.map(({ positions }) => positions), run.frames, run.rate);
   const plan = run.plan && planned(run.plan, objects.length, run.frames);

@@ -161,6 +161,12 @@ class Objects:
     def move_to(self, time):
         """Shows all as they are at a time in frames."""
         for index, look, actors, matrices in self._items:
+            is_present = self._motion.is_present(index, time)
+            actors[0].SetVisibility(is_present)
+            if not is_present:
+                for actor in actors:
+                    actor.VisibilityOff()
+                continue
             place, quaternion = self._motion.pose(index, time)
             turn = rotation(quaternion)
             lifted = place + self._cast(place, turn, look, actors[1:], matrices[1:])

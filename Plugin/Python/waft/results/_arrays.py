@@ -22,6 +22,13 @@ def array_of(attributes, name, place, components=1, kind=float, low=-LARGEST, hi
     return _numbers(array, f"{place}: the array {name}", kind, low, high).reshape((-1, components) if components > 1 else -1)
 
 
+def present_of(attributes, place, order):
+    """Whether objects are in the shot [object, frame]; folders of before say nothing, where all are. order: of points by object and frame."""
+    if not attributes.HasArray("Present"):
+        return np.ones(order.shape, bool)
+    return array_of(attributes, "Present", place, kind=int, low=0, high=1)[order] > 0
+
+
 def field_of(data, name, place, size, kind=float, low=-LARGEST, high=LARGEST):
     """So many numbers [size] of the field data."""
     array = data.GetFieldData().GetAbstractArray(name)

@@ -10,7 +10,7 @@ from waft import reading
 from waft.beneath import Folder
 from waft.failures import InputError
 from waft.results._arrays import (array_of, bounds_of, check_steps, check_surface, field_of, object_ids, orientations_of, points_of,
-                                  polylines, rate_of, text_of, triangles_of)
+                                  polylines, present_of, rate_of, text_of, triangles_of)
 from waft.scene._kinds import POSITION, REST
 
 
@@ -55,6 +55,7 @@ class Motion:
     marks: Marks
     obstacles: list  # (time in seconds, vtkPolyData), growing time
     poses: vtkPolyData  # positions and orientations as they were read
+    present: np.ndarray  # whether an object is in the shot [object, frame]
 
     @property
     def number_of_frames(self):
@@ -71,6 +72,10 @@ class Motion:
         turn = weights @ [before, np.copysign(1.0, before @ then) * then]
         return weights @ self.positions[index, first:first + 2], turn / np.linalg.norm(turn)
 
+    def is_present(self, index, time):
+        """Whether an object, by its index, is in the shot at a time in frames."""
+        return bool(self.present[index, int(time)])
+
     def obstacles_at(self, frame):
         """The obstacles of a frame: the last of the series that is not later."""
         time = frame / self.frames_per_second + 1e-9
@@ -82,7 +87,7 @@ def load(path):
     """Reads a folder; raises InputError that names the file and the lack."""
     folder = Folder(path)
     poses = read_surface(folder, "poses.vtp")
-    ids, positions, orientations = _poses(poses)
+    ids, positions, orientations, present = _poses(poses)
     columns = read_surface(folder, "objects.vtp").GetPointData()
     shape_of = dict(zip(object_ids(columns, "objects.vtp").tolist(), array_of(columns, "ShapeId", "objects.vtp", kind=int).tolist()))
     bodies = _bodies(folder)
@@ -103,6 +108,7 @@ def load(path):
         marks=_marks(folder),
         obstacles=obstacles_of(folder),
         poses=poses,
+        present=present,
     )
 
 
@@ -122,7 +128,7 @@ def needed(folder, name):
 def _poses(poses):
     ids, order = polylines(poses, "poses.vtp")
     points = points_of(poses, "poses.vtp")
-    return ids, points[order], orientations_of(poses.GetPointData(), "poses.vtp")[order]
+    return ids, points[order], orientations_of(poses.GetPointData(), "poses.vtp")[order], present_of(poses.GetPointData(), "poses.vtp", order)
 
 
 def _bodies(folder):

@@ -11,12 +11,12 @@ from waft.render._flyers import rotation
 
 
 def posed(motion: Any, frame: int, shape: Optional[int] = None) -> vtkPolyData:
-    """All bodies of a results._folder.Motion at a frame, or those of a shape by its number: with texture coordinates where all have some,
+    """All bodies of a results._folder.Motion that are in the shot at a frame, or those of a shape by its number: with texture coordinates where all have some,
     `ObjectId`, `ShapeId` and `Color` (of the shape: red, green, blue) on points."""
     places, corners, lengths, columns, coordinates = [], [], [], [], []
     count = 0
     for index, number in enumerate(motion.shapes.tolist()):
-        if shape is not None and number != shape:
+        if (shape is not None and number != shape) or not motion.is_present(index, frame):
             continue
         body = motion.bodies[number]
         own = vtk_to_numpy(body.surface.GetPoints().GetData()).astype(float)

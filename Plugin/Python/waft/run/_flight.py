@@ -38,7 +38,7 @@ class Flight:
 
     @property
     def quality(self) -> str:
-        return self.request.way
+        return self.pipeline.told.get("quality", self.request.way)
 
     @property
     def series(self) -> List[str]:

@@ -33,6 +33,8 @@ def frame_of(run: Any, poses: Any) -> Any:
     for names, values in ((("x", "y", "z"), positions), (("qw", "qx", "qy", "qz"), orientations), (("vx", "vy", "vz"), velocities),
                           (("wx", "wy", "wz"), turns)):
         columns.update(zip(names, values.reshape(objects * frames, -1).T))
+    if not run.present.all():
+        columns["present"] = run.present.ravel().astype(int)
     return pandas.DataFrame(columns)
 
 

@@ -194,7 +194,7 @@ class Engine:
         attributes = {STAGES[name]["proxy"]: attribute for name, attribute in ATTRIBUTES.items()}
         reading.check_scene_file(self.scene_file)
         simple = self._simple()
-        animation = simple.WaftAnimation(FileName=self.scene_file, Quality=self.algorithm.GetQuality(), Seed=self.seed)
+        animation = simple.WaftAnimation(FileName=self.scene_file, Quality=QUALITIES.index(self.told["quality"]), Seed=self.seed)
         made = {attributes[proxy.SMProxy.GetXMLName()]: proxy for proxy in unfold(animation).values()
                 if proxy.SMProxy.GetXMLName() in attributes}
         simple.Delete(animation)

@@ -28,8 +28,9 @@ class Run:
     """A flight that is over.
 
     positions[object, frame]: numpy array (objects, frames, 3) [m]; orientations[object, frame]: (objects, frames, 4), w x y z,
-    body to world; times: (frames) [s]; object_ids: (objects), the id of each object in the arrays; marks: a structured array, a
-    row a constraint: row, target, object, frame, kind, status, residual, message.
+    body to world; present[object, frame]: (objects, frames), whether an object is in the shot; times: (frames) [s]; object_ids:
+    (objects), the id of each object in the arrays; marks: a structured array, a row a constraint: row, target, object, frame, kind,
+    status, residual, message.
 
     status: exit status of the command; report: the constraints, a dictionary each; warnings: sentences; stopped: whether it was
     stopped early, with the best so far; seed and quality: those of the flight; folder: the path of its files, None where there are none.
@@ -97,6 +98,11 @@ class Run:
         return self._by_object(vtk_to_numpy(self._poses().GetPointData().GetArray("Orientation")))
 
     @property
+    def present(self) -> "NDArray[np.bool_]":
+        present = vtk_to_numpy(self._poses().GetPointData().GetArray("Present"))
+        return self._by_object(present[:, None])[..., 0] > 0
+
+    @property
     def times(self) -> "NDArray[np.float64]":
         times = vtk_to_numpy(self._poses().GetPointData().GetArray("Time"))
         return self._by_object(times[:, None])[0, :, 0]
@@ -151,7 +157,8 @@ class Run:
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with a row an object and a frame, and the columns of poses.csv: object, frame, time [s], x, y, z [m], qw, qx,
-        qy, qz, vx, vy, vz [m/s], wx, wy, wz [rad/s]. Raises WaftError where pandas is not installed."""
+        qy, qz, vx, vy, vz [m/s], wx, wy, wz [rad/s], and
+        present (0 or 1) where an object ever is not in the shot. Raises WaftError where pandas is not installed."""
         return _tables.frame_of(self, self._poses())
 
     def to_pyvista(self, frame: Optional[int] = None) -> Any:

@@ -98,7 +98,7 @@ class Scene:
                    orientation: Optional[Quaternion] = None, angular_velocity: Optional[Vector] = None,
                    mass: Optional[float] = None, settling_speed: Optional[float] = None,
                    clearance_radius: Optional[float] = None, rest_height: Optional[float] = None, class_: Optional[str] = None,
-                   release: Optional[Releases] = None, order: Optional[Order] = None, spread: Optional[str] = None,
+                   release: Optional[Releases] = None, appears: Optional[bool] = None, order: Optional[Order] = None, spread: Optional[str] = None,
                    comment: Optional[str] = None) -> int:
         """One object; returns its id. `shape`: one that was added, or a built-in one."""
         entry = self._objects_entry("add_object", "singleObject", locals())
@@ -111,7 +111,7 @@ class Scene:
                     angular_velocity: Optional[Vector] = None, mass: Optional[float] = None,
                     settling_speed: Optional[float] = None, clearance_radius: Optional[float] = None,
                     rest_height: Optional[float] = None, class_: Optional[str] = None,
-                    release: Optional[Releases] = None, order: Optional[Order] = None, spread: Optional[str] = None,
+                    release: Optional[Releases] = None, appears: Optional[bool] = None, order: Optional[Order] = None, spread: Optional[str] = None,
                     comment: Optional[str] = None) -> List[int]:
         """Several objects: `count` spread in a `region` {"min": ..., "max": ...}, or one at each of `positions`. Returns their
         ids. `shape`: one that was added, or a built-in one."""
@@ -122,8 +122,8 @@ class Scene:
 
     @documented("positionConstraint")
     def add_position(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
-                     spread: Optional[str] = None, radius: Optional[float] = None, facing: Optional[Mapping[str, Any]] = None,
-                     comment: Optional[str] = None) -> int:
+                     spread: Optional[str] = None, hold: Optional[int] = None, radius: Optional[float] = None,
+                     facing: Optional[Mapping[str, Any]] = None, comment: Optional[str] = None) -> int:
         """An object is at a place at a frame. Returns the row, as all constraints do."""
         return self._add_mark("add_position", "position", locals())
 
@@ -166,8 +166,8 @@ class Scene:
                      count: Optional[int] = None, font: Optional[Path] = None,
                      classes: Union[Iterable[str], Mapping[str, Vector], None] = None,
                      objects: Optional[Iterable[int]] = None, assign: Optional[str] = None,
-                     velocity: Union[str, Vector, None] = None, until: Optional[int] = None, radius: Optional[float] = None,
-                     facing: Optional[Mapping[str, Any]] = None, face_up: Optional[str] = None,
+                     velocity: Union[str, Vector, None] = None, until: Optional[int] = None, hold: Optional[int] = None,
+                     radius: Optional[float] = None, facing: Optional[Mapping[str, Any]] = None, face_up: Optional[str] = None,
                      comment: Optional[str] = None) -> int:
         """Objects form points, a text, an image or the surface of a mesh at a frame (one of these four)."""
         given = _given(locals())

@@ -24,10 +24,11 @@ PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp")
 SURFACES = (".vtp", ".obj", ".ply", ".stl", ".glb")
 
 
-def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60):
+def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60, release=None, arrive=None, order=None, hold=0):
     """Writes a commented scene that flies: texts and images in the order given, formed one after the other by `count` bodies of a
-    built-in shape; for each curve a body that follows it; obstacles from files. Raises InputError where there is a file, and of
-    files and texts that no scene can use."""
+    built-in shape; for each curve a body that follows it; obstacles from files. release and arrive: first and last frame between which
+    bodies are let go, and come to the first form (windows of those after it are as long); order: in which they come; hold: frames for
+    which each form stays. Raises InputError where there is a file, of files and texts that no scene can use, and of times that do not fit."""
     check_target(path)
     if not str(path).endswith(".waft.json"):
         raise InputError(f"{path}: expected a name that ends with .waft.json")
@@ -42,8 +43,14 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
     if not (texts or images or curves):
         texts = ["WAFT"]
     forms = [{"text": text} for text in texts] + [{"image": image} for image in images]
-    keys = [round(RATE * (FLIGHT + BETWEEN * place)) for place in range(len(forms))]
-    last = max([keys[-1]] if keys else [0])
+    first, end = arrive or (round(RATE * FLIGHT),) * 2
+    if order is not None and first == end:
+        raise InputError("--order: expected a window of arrivals beside it, as --arrive 4s..8s")
+    if release is not None and release[1] >= first:
+        raise InputError(f"--release: expected the last one before the first arrival at frame {first}, found frame {release[1]}")
+    apart = end - first + hold + round(RATE * BETWEEN)  # from a form to the next
+    windows = [(first + apart * place, end + apart * place) for place in range(len(forms))]
+    last = windows[-1][1] + hold if windows else 0
     last = max([last, *(len(course) - 1 for course in courses)]) + round(RATE * AFTER)
 
     scene = Scene(f"Made by waft new: {', '.join([*texts, *map(os.path.basename, (*images, *curves))])}"[:200],
@@ -61,17 +68,24 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
     bodies = []
     if forms:
         bodies = scene.add_objects("body", count=count, region={"min": (-1.6, -1.2, 2.2), "max": (1.6, 1.2, 3.7)},
-                                   comment="spread in this box at frame 0")
+                                   release=_frames(release) if release else None, comment="spread in this box at frame 0")
     for course in courses:
         body = scene.add_object("body", course[0], comment="follows a curve")
         scene.add_path(body, 1, course[1:], radius=HOLD, comment=f"one point a frame, within {HOLD:g} m; the curve at {SPEED:g} m/s")
-    for frame, form in zip(keys, forms):
+    exact = {"hold": hold} if hold else {"radius": 0.02}
+    for window, form in zip(windows, forms):
         width = min(WIDEST, HIGH * _breadth(form["text"])) if form.get("text") else 2.4
-        scene.add_keyframe(frame, **form, origin=(0, 0, 1.9), u=(1, 0, 0), v=(0, 0, 1), width=width, count=len(bodies),
-                           objects=bodies if courses else None, radius=0.02,
+        scene.add_keyframe(_frames(window), **form, order=order, origin=(0, 0, 1.9), u=(1, 0, 0), v=(0, 0, 1), width=width, count=len(bodies),
+                           objects=bodies if courses else None, **exact,
                            comment="upright, seen from the front; velocity \"rest\", v [0, 1, 0] and a low origin: lying on the ground")
     scene.save(path, is_new=True)
     return scene
+
+
+def _frames(window):
+    """A frame, or a window of frames."""
+    first, last = window
+    return first if first == last else {"from": first, "to": last}
 
 
 def _breadth(text):
