@@ -44,7 +44,7 @@ struct vtkMotionResultsReader::Contents
     const waft::SceneInfo& scene = this->Flight.Scene;
     waft::ObstaclesToPolyData(this->Flight.Obstacles, 0.0, scene, this->Obstacles);
     waft::ObjectsToPolyData(this->Flight.Objects, scene, this->Objects);
-    waft::AddArrivals(this->Flight.Constraints, this->Objects);
+    waft::AddArrivals(this->Flight.Constraints, this->Flight.Tracks, this->Objects);
     waft::ConstraintsToPolyData(this->Flight.Constraints, scene, this->Marks);
     waft::AddLandings(this->Flight.Constraints, this->Flight.Objects, this->Flight.Tracks,
                       this->Marks);

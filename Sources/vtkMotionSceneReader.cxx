@@ -57,7 +57,7 @@ struct vtkMotionSceneReader::Contents
     this->IsMoving = std::any_of(this->Scene.Obstacles.begin(), this->Scene.Obstacles.end(),
                                  [](const waft::ObstacleMesh& o) { return o.IsMoving(); });
     waft::ObjectsToPolyData(this->Scene.Objects, info, this->KeptObjects);
-    waft::AddArrivals(this->Scene.Constraints, this->KeptObjects);
+    waft::AddArrivals(this->Scene.Constraints, {}, this->KeptObjects);
     waft::ConstraintsToPolyData(this->Scene.Constraints, info, this->KeptConstraints);
     waft::ObstaclesToPolyData(this->Scene.Obstacles, 0.0, info, this->KeptObstacles);
     waft::VorticesToPolyData(this->Scene.Vortices, info, this->KeptVortices);

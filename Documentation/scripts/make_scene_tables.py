@@ -19,12 +19,13 @@ PLACES = [
                         for kind in ("position", "rest", "velocity", "acceleration", "orientation", "path", "keyframe")}),
     ("window", {"": "window"}),
     ("releases", {"": "releases"}),
+    ("leave", {"": "leave"}),
     ("orderDirection", {"": "orderDirection"}),
     ("facing", {"": "facing"}),
     ("targets", {"points": "pointTargets", "text": "textTargets", "picture": "imageTargets", "mesh": "meshTargets"}),
     ("/obstacles[]", {kind: kind + "Obstacle" for kind in ("box", "sphere", "cylinder", "mesh")}),
     ("motion[]", {"": "motionKey"}),
-    ("/winds[]", {"formula": "analyticWind", "file": "windFile"}),
+    ("/winds[]", {"formula": "analyticWind", "front": "windFront", "file": "windFile"}),
     ("/vortices[]", {"": "vortex"}),
 ]
 

@@ -233,6 +233,8 @@ void vtkRotationRefineFilter::Internals::KeepWhatMeshesNeed()
     waft::Track path;
     path.ObjectId = track.ObjectId;
     path.FirstPresent = track.FirstPresent;
+    path.Leave = track.Leave;
+    path.Fade = track.Fade;
     path.Positions = std::move(track.Positions);
     track = std::move(path);
   }

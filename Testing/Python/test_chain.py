@@ -70,7 +70,7 @@ def check_numbers(planner, spacetime, rotation):
     report = turner.GetOutputDataObject(2)
     check([report.GetColumnName(c) for c in range(report.GetNumberOfColumns())]
           == ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "Settled",
-              "Arrival", "Release"],
+              "Arrival", "Release", "Leave"],
           "the report of orientations has the columns of the other reports")
 
     convergence = spacetime.GetClientSideObject().GetOutputDataObject(4)

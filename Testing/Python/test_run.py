@@ -32,7 +32,7 @@ COARSE = {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 
 
 
 PUBLIC = {"assimilation", "database", "delete", "fit", "folder", "marks", "object_ids", "orientations", "output", "page", "planner", "plot",
-          "positions", "quality", "reader", "render", "report", "rotation", "save", "seed", "show", "spacetime", "status", "stopped", "times",
+          "positions", "present", "quality", "reader", "render", "report", "rotation", "save", "seed", "show", "spacetime", "status", "stopped", "times",
           "to_pandas", "to_pyvista", "warnings"}
 
 

@@ -32,7 +32,7 @@ METHODS = {"time": "set_time", "domain": "set_domain", "ground": "set_ground", "
            "pointTargets": "add_keyframe", "textTargets": "add_keyframe", "imageTargets": "add_keyframe",
            "meshTargets": "add_keyframe", "boxObstacle": "add_box", "sphereObstacle": "add_sphere",
            "cylinderObstacle": "add_cylinder", "meshObstacle": "add_mesh", "analyticWind": "add_wind",
-           "windFile": "add_wind_file", "vortex": "add_vortex"}
+           "windFile": "add_wind_file", "windFront": "add_front", "vortex": "add_vortex"}
 
 
 def everything():
@@ -71,7 +71,7 @@ class SceneTest(unittest.TestCase):
 
     def test_every_field_of_the_schema_is_an_argument(self):
         entries = {name for name, kind in _schema.schema()["definitions"].items() if kind.get("additionalProperties") is False}
-        self.assertEqual({"region", "motionKey", "facing", "window", "orderDirection", "releases"}, entries - METHODS.keys())
+        self.assertEqual({"region", "motionKey", "facing", "window", "orderDirection", "releases", "leave"}, entries - METHODS.keys())
         for name, method in METHODS.items():
             arguments = set(inspect.signature(getattr(waft.Scene, method)).parameters)
             fields = {_entries.argument_name(field) for field in _schema.definition(name)["properties"]} - {"kind", "targets"}

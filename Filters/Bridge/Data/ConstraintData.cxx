@@ -154,9 +154,13 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
   AddColumn(arrays, names::Hold, constraints, &Constraint::Hold);
+  AddColumn(arrays, names::LeaveFrom, constraints, &Constraint::LeaveFrom);
+  AddColumn(arrays, names::LeaveAway, constraints, &Constraint::LeaveAway);
+  AddColumn(arrays, names::LeaveFade, constraints, &Constraint::LeaveFade);
   AddColumn(arrays, names::FrameFrom, constraints, &Constraint::FrameFrom);
   AddColumn(arrays, names::Arrival, constraints, ArrivalOf);
   AddColumn(arrays, names::Release, constraints, &Constraint::Release);
+  AddColumn(arrays, names::Leave, constraints, &Constraint::Leave);
   AddColumn(arrays, names::TouchDown, constraints, &Constraint::TouchDown);
   AddColumn(arrays, names::Settled, constraints, &Constraint::Settled);
   AddColumn(arrays, names::LiftOff, constraints, &Constraint::LiftOff);
@@ -199,9 +203,13 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::Hold, &Constraint::Hold));
+  WAFT_RETURN_IF_FAILED(readOptional(names::LeaveFrom, &Constraint::LeaveFrom));
+  WAFT_RETURN_IF_FAILED(readOptional(names::LeaveAway, &Constraint::LeaveAway));
+  WAFT_RETURN_IF_FAILED(readOptional(names::LeaveFade, &Constraint::LeaveFade));
   WAFT_RETURN_IF_FAILED(readOptional(names::FrameFrom, &Constraint::FrameFrom));
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Arrival, arrivals, &met));
   WAFT_RETURN_IF_FAILED(readOptional(names::Release, &Constraint::Release));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Leave, &Constraint::Leave));
   WAFT_RETURN_IF_FAILED(readOptional(names::TouchDown, &Constraint::TouchDown));
   WAFT_RETURN_IF_FAILED(readOptional(names::Settled, &Constraint::Settled));
   WAFT_RETURN_IF_FAILED(readOptional(names::LiftOff, &Constraint::LiftOff));
@@ -279,9 +287,23 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   return Result::Ok();
 }
 
-void AddArrivals(const std::vector<Constraint>& constraints, vtkPolyData* objects)
+void AddArrivals(const std::vector<Constraint>& constraints, const std::vector<Track>& tracks,
+                 vtkPolyData* objects)
 {
   AddArrivalsOf(constraints, objects->GetPointData());
+  vtkDataArray* ids = objects->GetPointData()->GetArray(names::ObjectId);
+  std::map<int, int> leaves;
+  for (const Track& track : tracks)
+  {
+    leaves[track.ObjectId] = track.Leave;
+  }
+  std::vector<int> all;
+  for (vtkIdType i = 0; ids != nullptr && i < ids->GetNumberOfTuples(); ++i)
+  {
+    const auto found = leaves.find(static_cast<int>(ids->GetTuple1(i)));
+    all.push_back(found != leaves.end() ? found->second : -1);
+  }
+  AddInts(objects->GetPointData(), names::Leave, all);
 }
 
 void AddRowTimes(const std::vector<Constraint>& constraints, vtkPolyData* tracks)
@@ -374,6 +396,7 @@ void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, v
   AddColumn(columns, names::Settled, report, &ReportRow::Settled);
   AddColumn(columns, names::Arrival, report, &ReportRow::Arrival);
   AddColumn(columns, names::Release, report, &ReportRow::Release);
+  AddColumn(columns, names::Leave, report, &ReportRow::Leave);
   SceneInfoToFieldData(info, table);
 }
 
@@ -394,10 +417,11 @@ Result ReportFromTable(vtkTable* table, const std::string& owner, std::vector<Re
     WAFT_RETURN_IF_FAILED(cells.Read(names::Message, line.Message));
     WAFT_RETURN_IF_FAILED(cells.Read(names::TouchDown, line.TouchDown));
     WAFT_RETURN_IF_FAILED(cells.Read(names::Settled, line.Settled));
-    if (table->GetColumnByName(names::Release) != nullptr) // not of older runs
+    if (table->GetColumnByName(names::Leave) != nullptr) // not of older runs
     {
       WAFT_RETURN_IF_FAILED(cells.Read(names::Arrival, line.Arrival));
       WAFT_RETURN_IF_FAILED(cells.Read(names::Release, line.Release));
+      WAFT_RETURN_IF_FAILED(cells.Read(names::Leave, line.Leave));
     }
   }
   report = std::move(read);

@@ -54,8 +54,9 @@ void TakeStatuses(const std::vector<Line>& report, std::vector<Constraint>& cons
 
 /// Point data `Arrival` of objects, by their `ObjectId`: the frame at which each is where the first
 /// of its positions and rests that can be met asks it to be; -1: no row asks, or the air has yet to
-/// choose.
-void AddArrivals(const std::vector<Constraint>& constraints, vtkPolyData* objects);
+/// choose. `Leave`, of its track: the frame from which it is gone; -1: it stays.
+void AddArrivals(const std::vector<Constraint>& constraints, const std::vector<Track>& tracks,
+                 vtkPolyData* objects);
 
 /// Cell data of tracks or poses: `TouchDown` and `Settled`, the frame at which a body that lies to
 /// the end, asked for or not, comes to its surface, and from which it is still; -1: it does not

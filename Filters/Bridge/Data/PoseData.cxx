@@ -329,7 +329,7 @@ void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseT
     const int last = static_cast<int>(tracks[t].Positions.size()) - 1;
     const auto k = static_cast<std::size_t>(std::clamp(frame, 0, last));
     const Mat3 turn = poses[t].Orientations[k].toRotationMatrix();
-    const double size = tracks[t].IsPresent(k) ? 1.0 : 0.0; // nothing is seen of a point
+    const double size = tracks[t].SizeAt(k); // nothing is seen of a point
     speed = std::fill_n(speed, body.Points.size(),
                         static_cast<float>(SpeedAt(tracks[t].Positions, k, this->FramesPerSecond)));
     for (std::size_t i = 0; i < body.Points.size(); ++i)

@@ -92,7 +92,7 @@ void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data)
   vtkNew<vtkPolyData> objects, constraints, obstacles, vortices;
   vtkNew<vtkMultiBlockDataSet> shapes, wind;
   ObjectsToPolyData(parts.Objects, info, objects);
-  AddArrivals(parts.Constraints, objects);
+  AddArrivals(parts.Constraints, {}, objects);
   ConstraintsToPolyData(parts.Constraints, info, constraints);
   ObstaclesToPolyData(parts.Obstacles, 0.0, info, obstacles);
   AuthoredToFieldData(parts.Authored.Objects, objects);

@@ -25,6 +25,10 @@ void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data)
   AddInts(fields, names::NumberOfFrames, { info.Time.NumberOfFrames });
   AddDoubles(fields, names::FramesPerSecond, { info.Time.FramesPerSecond });
   AddDoubles(fields, names::AirDensity, { info.AirDensity });
+  if (info.IsOpen())
+  {
+    AddInts(fields, names::Open, { info.Open.begin(), info.Open.end() });
+  }
   vtkNew<vtkLongLongArray> seed;
   seed->SetName(names::Seed);
   seed->InsertNextValue(static_cast<long long>(info.Seed));
@@ -52,6 +56,18 @@ Result SceneInfoFromFieldData(vtkFieldData* fields, SceneInfo& info)
       b[i] = bounds->GetVariantValue(i).ToDouble();
     }
     info.Bounds = Box{ Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5]) };
+  }
+  if (vtkDataArray* open = fields->GetArray(names::Open))
+  {
+    if (open->GetNumberOfValues() != 3)
+    {
+      return Result::Error("field data `Open`: expected 3 numbers, found " +
+                           std::to_string(open->GetNumberOfValues()));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      info.Open[static_cast<std::size_t>(axis)] = open->GetVariantValue(axis).ToInt() != 0 ? 1 : 0;
+    }
   }
   const std::string owner = "field data";
   double frames = info.Time.NumberOfFrames;

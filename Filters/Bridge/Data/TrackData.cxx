@@ -254,6 +254,8 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   }
   AddInts(data->GetCellData(), names::ObjectId, objectIds);
   AddColumn(data->GetCellData(), names::Release, tracks, &Track::Release);
+  AddColumn(data->GetCellData(), names::Leave, tracks, &Track::Leave);
+  AddColumn(data->GetCellData(), names::Fade, tracks, &Track::Fade);
   SceneInfoToFieldData(info, data);
 }
 
@@ -280,6 +282,7 @@ Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const st
     read[cell].ObjectId = ids[cell];
   }
   WAFT_RETURN_IF_FAILED(ReadOptionalColumn(cells, names::Release, read, &Track::Release));
+  WAFT_RETURN_IF_FAILED(ReadOptionalColumn(cells, names::Fade, read, &Track::Fade));
   const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
   std::vector<int> present;
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Present, present));
@@ -295,6 +298,12 @@ Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const st
       {
         ++first;
       }
+      int last = static_cast<int>(line->GetNumberOfIds());
+      while (last > first && present[static_cast<std::size_t>(line->GetId(last - 1))] == 0)
+      {
+        --last;
+      }
+      read[cell].Leave = last < line->GetNumberOfIds() ? last : -1;
     }
   }
   tracks = std::move(read);

@@ -89,7 +89,8 @@ Result WriteAnimation(const std::string& fileName, vtkPolyData* data,
     WAFT_RETURN_IF_FAILED(shapeOf.Find(tracks[i].ObjectId, shapeId));
     animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId),
                          std::move(tracks[i].Positions), std::move(poses[i].Orientations),
-                         std::move(marks[tracks[i].ObjectId]), tracks[i].FirstPresent });
+                         std::move(marks[tracks[i].ObjectId]), tracks[i].FirstPresent,
+                         tracks[i].Leave, tracks[i].Fade });
     poses[i] = PoseTrack();
   }
   return WriteAnimationGlb(fileName, shapes, std::move(animated), info.Time.FramesPerSecond,

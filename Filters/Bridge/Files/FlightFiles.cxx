@@ -234,7 +234,7 @@ Result Flight::WriteBodies()
   WAFT_RETURN_IF_FAILED(this->WriteTracks(this->Poses, "poses.vtp"));
   vtkNew<vtkPolyData> objects;
   ObjectsToPolyData(this->TheScene.Objects, this->Info(), objects);
-  AddArrivals(this->Made.Rows(), objects);
+  AddArrivals(this->Made.Rows(), this->Made.Tracks, objects);
   AuthoredToFieldData(this->TheScene.Authored.Objects, objects);
   WAFT_RETURN_IF_FAILED(this->WriteData(objects, "objects.vtp"));
   WAFT_RETURN_IF_FAILED(this->WriteShapes());
@@ -317,7 +317,7 @@ Result Flight::WriteTables()
   WAFT_RETURN_IF_FAILED(
     WriteCsv(this->PathOf("constraints.csv"), report,
              { "Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message",
-               "TouchDown", "Settled", "LiftOff", "Arrival", "Release" }));
+               "TouchDown", "Settled", "LiftOff", "Arrival", "Release", "Leave" }));
   ConvergenceToTable(this->Made.Optimised.Convergence, this->Info(), this->Convergence);
   WAFT_RETURN_IF_FAILED(WriteCsv(this->PathOf("convergence.csv"), this->Convergence, {}));
   if (!this->IsAssimilated())

@@ -134,6 +134,7 @@ void FindAuthoredWinds(SceneContents& scene)
   if (wind.Build(authored, VtkSceneAssets()) && wind.Makes(scene.Wind))
   {
     scene.Parts.Winds = std::move(authored.Winds);
+    scene.Parts.Fronts = std::move(authored.Fronts);
     scene.Parts.WindFiles = std::move(authored.WindFiles);
   }
 }
@@ -145,7 +146,8 @@ Result MakeFiles(SceneContents scene, const std::string& folder, const std::stri
 {
   files.clear();
   Scene& parts = scene.Parts;
-  if (!scene.Wind.IsEmpty() && parts.Winds.empty() && parts.WindFiles.empty())
+  if (!scene.Wind.IsEmpty() && parts.Winds.empty() && parts.Fronts.empty() &&
+      parts.WindFiles.empty())
   {
     parts.WindFiles.emplace_back();
     parts.WindFiles.back().Path = AddWind(scene, folder, stem, files);

@@ -58,7 +58,7 @@ void MotionOutputs::KeepScene()
 {
   auto* objects = this->Kept<vtkPolyData>(ObjectsPort);
   ObjectsToPolyData(this->Read().Objects, this->Scene, objects);
-  AddArrivals(this->Made.Rows(), objects);
+  AddArrivals(this->Made.Rows(), this->Made.Tracks, objects);
   AuthoredToFieldData(this->Read().Authored.Objects, objects);
   auto* obstacles = this->Kept<vtkPolyData>(ObstaclesPort);
   ObstaclesToPolyData(this->Read().Obstacles, 0.0, this->Scene, obstacles);

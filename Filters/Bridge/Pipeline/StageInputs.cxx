@@ -266,13 +266,13 @@ Result SceneOfInputs(vtkAlgorithm* stage, vtkInformationVector** inputs, int por
   lacking.clear();
   vtkNew<vtkFieldData> fields;
   for (const char* name : { names::Bounds, names::NumberOfFrames, names::FramesPerSecond,
-                            names::AirDensity, names::Seed })
+                            names::AirDensity, names::Open, names::Seed })
   {
     if (vtkAbstractArray* array = FindField(stage, inputs, port, name))
     {
       fields->AddArray(array);
     }
-    else if (name != names::AirDensity) // an air as it is everywhere
+    else if (name != names::AirDensity && name != names::Open) // an air and sides as elsewhere
     {
       lacking.insert(name);
     }

@@ -577,7 +577,7 @@ Result FlyInto(const FlightRequest& request, const ChainInputs& inputs, FlightMo
     if (flown.Options.Detail != request.Options.Detail)
     {
       record.Warnings.push_back(std::string("quality ") + ToString(request.Options.Detail) +
-                                ": it knows no objects that appear in the shot: flown as " +
+                                ": it knows no open sides, nor objects that appear: flown as " +
                                 ToString(flown.Options.Detail));
     }
     return Flying(flown, inputs, monitor, made, memory, record).Fly();

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/ForceFields.h"
 
+#include "Base/SmoothStep.h"
+
 #include "Base/CrossMatrix.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
 {
 namespace
 {
+constexpr double WidestEdge = 2.0; // m, of a front whose edges are as wide as they may be
 
 // r / |r|, zero at the pole itself, where the cross product vanishes anyway.
 Vec3 Unit(const Vec3& r, double length)
@@ -87,6 +91,14 @@ Vec3 AnalyticWind::Acceleration(const Vec3& x, double time) const
   const double s = (time - this->CenterTime) / this->Duration;
   const double d2 = (x - this->Center).squaredNorm() / (this->Radius * this->Radius);
   return (this->Strength * std::exp(-0.5 * (s * s + d2))) * this->Direction;
+}
+
+Vec3 WindFront::Acceleration(const Vec3& x, double time) const
+{
+  const double edge = 0.25 * std::min(this->Width, WidestEdge); // m
+  const double behind = (time - this->PassesAt(x)) * this->Speed;
+  const double part = SmoothStep(behind / edge) * SmoothStep((this->Width - behind) / edge);
+  return part * this->Strength * this->Direction;
 }
 
 } // namespace waft

@@ -72,4 +72,23 @@ struct AnalyticWind
   Vec3 Acceleration(const Vec3& x, double time) const;
 };
 
+/// A gust whose edge travels along its direction: behind the edge, over Width, the air is pushed
+/// by Strength, which comes and goes within a quarter of that, at most half a metre, at either end.
+struct WindFront
+{
+  Vec3 Direction = Vec3::UnitX(); // unit
+  double Speed = 1.0;             // m/s, of the edge
+  double Strength = 1.0;          // m/s^2
+  double Width = 1.0;             // m
+  double StartTime = 0.0;         // s, when the edge is at Origin
+  Vec3 Origin = Vec3::Zero();     // m
+
+  Vec3 Acceleration(const Vec3& x, double time) const;
+  /// When the edge is at x [s].
+  double PassesAt(const Vec3& x) const
+  {
+    return this->StartTime + (x - this->Origin).dot(this->Direction) / this->Speed;
+  }
+};
+
 } // namespace waft

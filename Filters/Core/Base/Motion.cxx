@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Motion.h"
 
+#include <algorithm>
+
 namespace waft
 {
 
-std::vector<Vec3> CentralDifferences(const std::vector<Vec3>& samples, double step, int first)
+std::vector<Vec3> CentralDifferences(const std::vector<Vec3>& samples, double step, std::size_t a,
+                                     std::size_t end)
 {
-  const auto a = static_cast<std::size_t>(first);
-  const std::size_t n = samples.size();
-  std::vector<Vec3> differences(n, Vec3::Zero());
+  const std::size_t n = std::min(samples.size(), end);
+  std::vector<Vec3> differences(samples.size(), Vec3::Zero());
   if (n == a + 2)
   {
     differences[a] = differences[a + 1] = (samples[a + 1] - samples[a]) / step;
@@ -29,7 +31,8 @@ std::vector<Vec3> CentralDifferences(const std::vector<Vec3>& samples, double st
 
 std::vector<Vec3> CentralVelocities(const Track& track, double step)
 {
-  return CentralDifferences(track.Positions, step, track.FirstPresent);
+  return CentralDifferences(track.Positions, step, static_cast<std::size_t>(track.FirstPresent),
+                            track.EndPresent());
 }
 
 } // namespace waft

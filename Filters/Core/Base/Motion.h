@@ -6,6 +6,8 @@
 #include "Base/Mesh.h"
 #include "Base/Types.h"
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -75,6 +77,8 @@ struct Track
   int ObjectId = 0;
   int Release = -1;                      // of the object
   int FirstPresent = 0;                  // frame from which it is in the shot; still before
+  int Leave = -1;                        // frame from which it is gone; still from there on
+  int Fade = 0;                          // frames before Leave in which it fades
   std::vector<Vec3> Positions;           // m
   std::vector<Vec3> SphVelocities;       // m/s, the optimiser's raw unknown
   std::vector<ForceType> ForceTypes;     // annotation
@@ -90,7 +94,25 @@ struct Track
   std::vector<Quat> Orientations;      // body to world, unit
   std::vector<Vec3> AngularVelocities; // rad/s, world
 
-  bool IsPresent(std::size_t frame) const { return static_cast<int>(frame) >= this->FirstPresent; }
+  bool IsPresent(std::size_t frame) const
+  {
+    const auto at = static_cast<int>(frame);
+    return at >= this->FirstPresent && (this->Leave < 0 || at < this->Leave);
+  }
+  /// Of its own, 0 to 1, at which it is shown.
+  double SizeAt(std::size_t frame) const
+  {
+    const bool fades = this->Leave >= 0 && this->Fade > 0;
+    return !this->IsPresent(frame) ? 0.0
+           : fades ? std::min(1.0, (this->Leave - static_cast<double>(frame)) / this->Fade)
+                   : 1.0;
+  }
+  bool ComesOrGoes() const { return this->FirstPresent > 0 || this->Leave >= 0; }
+  /// The frame after the last one at which it is in the shot.
+  std::size_t EndPresent() const
+  {
+    return this->Leave < 0 ? this->Positions.size() : static_cast<std::size_t>(this->Leave);
+  }
   /// Who it is of, and when that is where.
   void TakeTimes(const MotionObject& object)
   {
@@ -105,6 +127,8 @@ struct Track
     visit(of.ObjectId...);
     visit(of.Release...);
     visit(of.FirstPresent...);
+    visit(of.Leave...);
+    visit(of.Fade...);
     visit(of.Positions...);
     visit(of.SphVelocities...);
     visit(of.ForceTypes...);
@@ -121,9 +145,12 @@ struct Track
 };
 
 /// Central differences of samples, a second, one-sided and of second order at the ends; zero for
-/// a single one. step: time between samples [s]. first: where they begin; zero before.
-std::vector<Vec3> CentralDifferences(const std::vector<Vec3>& samples, double step, int first = 0);
-/// Of the positions [m/s], from where the object is in the shot.
+/// a single one. step: time between samples [s]. first, end: where they begin and end, by default
+/// all; zero beside.
+std::vector<Vec3> CentralDifferences(const std::vector<Vec3>& samples, double step,
+                                     std::size_t first = 0,
+                                     std::size_t end = std::numeric_limits<std::size_t>::max());
+/// Of the positions [m/s], where the object is in the shot.
 std::vector<Vec3> CentralVelocities(const Track& track, double step);
 
 } // namespace waft

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace waft
@@ -56,6 +57,25 @@ struct Box
     return std::min((x - this->Min).minCoeff(), (this->Max - x).minCoeff());
   }
   bool Contains(const Vec3& x) const { return this->InnerDistance(x) >= 0.0; }
+  /// From x inside along a unit direction to the face there; axis, unless null: of that face.
+  double WayOut(const Vec3& x, const Vec3& direction, int* axis = nullptr) const
+  {
+    double way = 1e300;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = direction[c];
+      const double own = (d > 0.0 ? this->Max[c] - x[c] : x[c] - this->Min[c]) / std::abs(d);
+      if (std::abs(d) > 1e-9 && own < way)
+      {
+        way = own;
+        if (axis != nullptr)
+        {
+          *axis = c;
+        }
+      }
+    }
+    return way;
+  }
 };
 
 /// Of points, or of boxes.
@@ -80,18 +100,43 @@ struct Timeline
   double Time(double frame) const { return frame / this->FramesPerSecond; }
 };
 
+/// Sizes of the volume by which its open sides are farther away.
+inline constexpr double FarOutside = 1000.0;
+
 /// What every data set of a scene carries as field data.
 struct SceneInfo
 {
   Box Bounds;
+  /// Whether bodies and air pass both ends of x, both of y, and the top; the floor is closed.
+  std::array<int, 3> Open{ 0, 0, 0 };
   Timeline Time;
   double AirDensity = 1.2; // kg/m^3
   std::uint64_t Seed = 1;
+
+  bool IsOpen() const { return this->Open[0] + this->Open[1] + this->Open[2] > 0; }
+  /// The Bounds without the sides that are open.
+  Box Beyond() const
+  {
+    Box box = this->Bounds;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (this->Open[static_cast<std::size_t>(axis)] != 0)
+      {
+        const double far = FarOutside * this->Bounds.Size().maxCoeff();
+        box.Min[axis] -= axis < 2 ? far : 0.0;
+        box.Max[axis] += far;
+      }
+    }
+    return box;
+  }
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(of.Bounds...);
+    visit(of.Open[0]...);
+    visit(of.Open[1]...);
+    visit(of.Open[2]...);
     visit(of.Time.NumberOfFrames...);
     visit(of.Time.FramesPerSecond...);
     visit(of.AirDensity...);

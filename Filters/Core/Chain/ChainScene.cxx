@@ -81,7 +81,8 @@ Quality FlownQuality(const Scene& scene, Quality wanted)
   const bool comeAndGo =
     std::any_of(scene.Objects.begin(), scene.Objects.end(),
                 [](const MotionObject& object) { return object.FirstPresent() > 0; });
-  return comeAndGo && RunsAt(ChainStage::Spacetime, wanted) ? Quality::Air : wanted;
+  return (comeAndGo || scene.Info.IsOpen()) && RunsAt(ChainStage::Spacetime, wanted) ? Quality::Air
+                                                                                     : wanted;
 }
 
 Result ReadSceneAndWind(const std::string& file, const SceneAssets& assets, Scene& scene,

@@ -15,10 +15,12 @@ struct PortArrays
     "VelocityGiven byte; Orientation double*4 w, x, y, z; OrientationGiven byte; "
     "AngularVelocity double*3 rad/s; SettlingSpeed double m/s; ClassId int; "
     "ClearanceRadius double m; RestHeight double m; Release int; "
-    "Appears byte; Arrival int";
+    "Appears byte; Arrival int; Leave int";
   const std::string Constraints =
     "points: ObjectId int; Frame int; Kind byte; Value double*4 of the kind; "
-    "Radius double of the kind; Until int; Hold int; FrameFrom int; Arrival int; Release int; "
+    "Radius double of the kind; Until int; Hold int; LeaveFrom int; "
+    "LeaveAway double*3; LeaveFade int; FrameFrom int; Arrival int; Release int; "
+    "Leave int; "
     "TouchDown int; "
     "Settled int; "
     "LiftOff int; Row int; "
@@ -37,7 +39,8 @@ struct PortArrays
   const std::string Air = "points: Velocity float*3 m/s; Wind float*3 m/s^2";
   const std::string Report = "rows: Row int; Target int; ObjectId int; Frame int; Kind text; "
                              "Residual double of the kind; Status text; Message text; "
-                             "TouchDown int; Settled int; Arrival int; Release int";
+                             "TouchDown int; Settled int; Arrival int; Release int; "
+                             "Leave int";
   const std::string PlannedReport = Report + "; whole: TopSpeed double m/s";
   const std::string Trees = "cells: ObjectId int; Span int; Tree int; Parent int; Segment int; "
                             "Frame int; Cost double";
@@ -70,7 +73,7 @@ struct PortArrays
     "WindAcceleration double*3 m/s^2";
   const std::string Turned = "; Slip double*3 m/s; Orientation double*4 w, x, y, z; "
                              "AngularVelocity double*3 rad/s";
-  const std::string OfLines = "; cells: ObjectId int; Release int";
+  const std::string OfLines = "; cells: ObjectId int; Release int; Leave int; Fade int";
   const std::string Touched = "; TouchDown int; Settled int; Arrival int";
   const std::string Planned = Moved + OfLines;
   const std::string Drifted = Moved + "; AirVelocity double*3 m/s" + Turned +

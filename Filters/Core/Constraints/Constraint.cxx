@@ -102,7 +102,11 @@ void SetHolds(int lastFrame, std::vector<Constraint>& rows)
   }
   for (Constraint& row : rows)
   {
-    row.Until = row.Hold > 0 ? std::min(last[row.Row] + row.Hold, lastFrame) : row.Until;
+    if (row.Hold > 0)
+    {
+      const int held = std::min(last[row.Row] + row.Hold, lastFrame);
+      row.Until = row.LeaveFrom >= 0 ? std::max(row.Frame, row.LeaveFrom) : held;
+    }
   }
 }
 

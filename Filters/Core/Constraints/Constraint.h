@@ -134,10 +134,14 @@ struct Constraint
   Quat Orientation = Quat::Identity(); // of an orientation row
   double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
   int Release = -1;                    // of its object; -1: it flies from the first frame
+  int Leave = -1;                      // of its object: gone from this frame on; -1: it stays
   int Until = 0;                       // rest or hold lasts from Frame to this frame
   /// Of a position: frames for which it stays there once all of its Row have come (SetHolds).
   int Hold = 0;
-  int FrameFrom = -1; // where a window was asked for, its first frame
+  int LeaveFrom = -1; // of a position or rest: its object goes from this frame on; -1: it does not
+  Vec3 LeaveAway = Vec3::Zero(); // unit, the way out of the volume; zero: it goes where it is
+  int LeaveFade = 0;             // frames in which it fades there
+  int FrameFrom = -1;            // where a window was asked for, its first frame
   /// It is met at one of the frames from FrameFrom to Frame, of which the air has chosen none yet.
   bool IsOpenWindow = false;
   int TouchDown = -1;        // of a rest: comes to its surface at this frame; -1: at Frame
@@ -166,8 +170,12 @@ struct Constraint
     visit(of.Orientation...);
     visit(of.Radius...);
     visit(of.Release...);
+    visit(of.Leave...);
     visit(of.Until...);
     visit(of.Hold...);
+    visit(of.LeaveFrom...);
+    visit(of.LeaveAway...);
+    visit(of.LeaveFade...);
     visit(of.FrameFrom...);
     visit(of.IsOpenWindow...);
     visit(of.TouchDown...);
@@ -218,7 +226,7 @@ inline void SetArrival(int frame, Constraint& row)
 }
 
 /// The Until of all that stay for a while: from the frame at which the last of their Row comes, or
-/// may come, at most to the last frame.
+/// may come, at most to the last frame; of who leaves, LeaveFrom.
 void SetHolds(int lastFrame, std::vector<Constraint>& rows);
 
 /// The earliest frame at which a row may be met.
@@ -249,6 +257,7 @@ struct ReportRow
   int Settled = -1;
   int Arrival = -1; // of the row by which it is judged (ArrivalOf)
   int Release = -1; // of its object
+  int Leave = -1;   // likewise
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -265,6 +274,7 @@ struct ReportRow
     visit(of.Settled...);
     visit(of.Arrival...);
     visit(of.Release...);
+    visit(of.Leave...);
   }
 };
 

@@ -29,6 +29,7 @@ struct Finding
   std::string Message;
   int ObjectId = -1;
   int Release = -1;
+  int Leave = -1;
 };
 
 /// A distance that is no number is as far as can be.
@@ -43,6 +44,7 @@ void Record(const Constraint& row, ConstraintKind kindOfLine, double distance, d
   const double residual = BeyondRadius(row, distance);
   finding.ObjectId = row.ObjectId;
   finding.Release = row.Release;
+  finding.Leave = row.Leave;
   if (row.Kind == kindOfLine)
   {
     finding.Residual = std::max(finding.Residual, residual);
@@ -75,6 +77,7 @@ void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& repor
     line.Residual = std::max(line.Residual, found->second.Residual);
     line.ObjectId = found->second.ObjectId;
     line.Release = found->second.Release;
+    line.Leave = found->second.Leave;
     if (line.Status == ConstraintStatus::Met && !found->second.Message.empty())
     {
       line.Status = ConstraintStatus::Unreachable;
@@ -164,7 +167,8 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
   for (const Track& track : tracks)
   {
     Motion motion{ &track, nullptr, CentralVelocities(track, step), {} };
-    motion.Accelerations = CentralDifferences(motion.Velocities, step, track.FirstPresent);
+    motion.Accelerations = CentralDifferences(
+      motion.Velocities, step, static_cast<std::size_t>(track.FirstPresent), track.EndPresent());
     for (const Vec3& v : motion.Velocities)
     {
       scales.TopSpeed = std::max(scales.TopSpeed, v.norm());
@@ -191,6 +195,7 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
     Finding& finding = findings[kind->first];
     finding.ObjectId = row.ObjectId;
     finding.Release = row.Release;
+    finding.Leave = row.Leave;
     if (row.ObjectId < 0)
     {
       finding.Message = "no object was assigned to it";

@@ -36,7 +36,7 @@ Vec3 WayOut(const PathClearance& clearance, const Vec3& x, double frame)
     const double height = clearance.Obstacles.SignedDistanceTo(asked.Exempt, x, frame, hit);
     offer(height < floor ? asked.LandingDistance - height : 0.0, hit.Normal);
   }
-  const Box& volume = clearance.Volume;
+  const Box& volume = clearance.Around.At(frame);
   for (int c = 0; c < 3; ++c)
   {
     const double least = c == 2 ? floor : asked.Radius;
@@ -139,7 +139,7 @@ std::vector<std::size_t> PathClearance::BlockedSteps(const std::vector<Vec3>& pa
   const auto keepsInside = [&](std::size_t k)
   {
     const ClearanceRule rule = this->RuleOn(path[k], path[k]);
-    return KeepsInside(this->Volume,
+    return KeepsInside(this->Around.At(static_cast<double>(k)),
                        RequiredClearance(rule, this->Landings, static_cast<double>(k)), path[k]);
   };
   std::vector<std::size_t> blocked;

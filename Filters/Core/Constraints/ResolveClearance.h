@@ -29,7 +29,7 @@ double Required(const ClearanceRule& rule, const std::vector<TightMark>& tight, 
 struct PathClearance
 {
   const ObstacleSet& Obstacles;
-  const Box& Volume;
+  FlightRoom Around;
   const std::vector<LandingWindow>& Landings;
   ClearanceRule Rule;
   double Slack = 0.0; // m: a path that is nearer by less counts as clear

@@ -8,6 +8,7 @@
 #include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 
+#include <limits>
 #include <vector>
 
 namespace waft
@@ -73,6 +74,21 @@ Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<Landing
 bool IsMotionClear(const ObstacleSet& obstacles, const ClearanceRule& rule,
                    const std::vector<LandingWindow>& windows, const Vec3& a, double frameA,
                    const Vec3& b, double frameB);
+
+/// Where a body may be, frame by frame.
+struct FlightRoom
+{
+  Box Volume;
+  Box Beyond;                                     // without the open sides
+  int OpenFrom = std::numeric_limits<int>::max(); // frame from which it may pass those
+
+  FlightRoom(const Box& volume) : Volume(volume), Beyond(volume) {}
+  FlightRoom(const SceneInfo& scene, int openFrom) :
+    Volume(scene.Bounds), Beyond(scene.Beyond()), OpenFrom(openFrom)
+  {
+  }
+  const Box& At(double frame) const { return frame < this->OpenFrom ? this->Volume : this->Beyond; }
+};
 
 /// True when x keeps the clearance's radius from the sides and the top of the volume and from its
 /// floor; during a landing LandingDistance (less LandingSlack) is enough from the floor.

@@ -10,6 +10,7 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <ostream>
@@ -147,13 +148,9 @@ public:
     Elements<float> turns{ std::move(keys.Turns), TINYGLTF_TYPE_VEC4, BodyKeys::TurnWidth };
     this->AddChannel(number, "translation", times, this->AddAccessor(places, 0));
     this->AddChannel(number, "rotation", times, this->AddAccessor(turns, 0));
-    if (object.FirstPresent > 0)
+    if (object.FirstPresent > 0 || object.Leave >= 0)
     {
-      const auto begins = static_cast<float>(object.FirstPresent / this->FramesPerSecond);
-      const int instants = this->AddAccessor(Elements<float>{ { 0.0F, begins } }, 0);
-      const Elements<float> scales{ { 0.0F, 0.0F, 0.0F, 1.0F, 1.0F, 1.0F }, TINYGLTF_TYPE_VEC3, 3 };
-      this->AddChannel(number, "scale", instants, this->AddAccessor(scales, 0), "STEP");
-      this->Model.nodes.back().scale = { 0.0, 0.0, 0.0 };
+      this->AddSizes(number, object);
     }
   }
 
@@ -277,6 +274,35 @@ private:
     }
     this->Model.accessors.push_back(accessor);
     return static_cast<int>(this->Model.accessors.size()) - 1;
+  }
+
+  /// A body that is not in the shot is nothing.
+  void AddSizes(int node, const AnimatedObject& object)
+  {
+    Elements<float> times;
+    Elements<float> sizes{ {}, TINYGLTF_TYPE_VEC3, 3 };
+    const auto add = [&](int frame, float size)
+    {
+      times.Values.push_back(static_cast<float>(frame / this->FramesPerSecond));
+      sizes.Values.insert(sizes.Values.end(), 3, size);
+    };
+    const bool begins = object.FirstPresent <= 0;
+    add(0, begins ? 1.0F : 0.0F);
+    if (!begins)
+    {
+      add(object.FirstPresent, 1.0F);
+      this->Model.nodes[static_cast<std::size_t>(node)].scale = { 0.0, 0.0, 0.0 };
+    }
+    if (object.Leave > std::max(object.FirstPresent, 0))
+    {
+      for (int k = std::min(object.Fade, object.Leave - object.FirstPresent) - 1; k > 0; --k)
+      {
+        add(object.Leave - k, static_cast<float>(k) / static_cast<float>(object.Fade));
+      }
+      add(object.Leave, 0.0F);
+    }
+    const int instants = this->AddAccessor(times, 0);
+    this->AddChannel(node, "scale", instants, this->AddAccessor(sizes, 0), "STEP");
   }
 
   int AddMaterial(const AnimatedShape& shape)

@@ -54,7 +54,7 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
 {
   WAFT_RETURN_IF_FAILED(CheckFit(tracks, poses));
   const bool comeAndGo = std::any_of(tracks.begin(), tracks.end(),
-                                     [](const Track& track) { return track.FirstPresent > 0; });
+                                     [](const Track& track) { return track.ComesOrGoes(); });
   std::string text = PosesCsvHeader;
   text += comeAndGo ? PresentColumn : "";
   text += '\n';

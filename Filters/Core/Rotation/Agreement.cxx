@@ -22,7 +22,7 @@ bool FliesFreely(const AttitudePlan& plan, int from, int to)
   const double rate = plan.Time.FramesPerSecond;
   const double landing = AgreementLanding * plan.LandingTime * rate;
   const double turning = plan.TurningTime * rate;
-  return from >= plan.Object->Released() &&
+  return from >= plan.Object->Released() && to < static_cast<int>(plan.Path->EndPresent()) &&
          std::none_of(plan.Stays.begin(), plan.Stays.end(),
                       [&](const Constraint& stay)
                       { return to > stay.Frame && from < LastFrame(stay); }) &&

@@ -31,7 +31,7 @@ class AttitudeMotion
 {
 public:
   AttitudeMotion(const AttitudePlan& plan, const FlightBody& body, const FlightPath& path) :
-    Plan(plan), Body(body), Path(path), Last(static_cast<int>(plan.Path->Positions.size()) - 1),
+    Plan(plan), Body(body), Path(path), Last(static_cast<int>(plan.Path->EndPresent()) - 1),
     Marks(plan.Path->Positions.size())
   {
     this->Out.Poses.ObjectId = plan.Object->ObjectId;
@@ -59,6 +59,7 @@ public:
     {
       frame = this->FlyToNextEvent(frame);
     }
+    this->EndWhereGone();
     KeepAbove(this->Plan, this->Marks, this->Out);
     SetRatesWhereTurned(this->Marks.Changed, this->Plan.Time.Step(), this->Out.Poses);
     JoinSigns(this->Out.Poses.Orientations);
@@ -195,6 +196,21 @@ private:
       if (!this->Out.Poses.Slips.empty())
       {
         this->Out.Poses.Slips[k] = this->Out.Poses.Slips[first];
+      }
+    }
+  }
+
+  /// As it was seen last.
+  void EndWhereGone()
+  {
+    const auto end = static_cast<std::size_t>(this->Last);
+    for (std::size_t k = end + 1; k < this->Marks.Frames.size(); ++k)
+    {
+      this->Marks.Frames[k].Freedom = PoseFreedom::Fixed;
+      this->Out.Poses.Orientations[k] = this->Out.Poses.Orientations[end];
+      if (!this->Out.Poses.Slips.empty())
+      {
+        this->Out.Poses.Slips[k] = this->Out.Poses.Slips[end];
       }
     }
   }

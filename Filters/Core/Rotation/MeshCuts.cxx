@@ -117,7 +117,7 @@ std::vector<MeshCut> FindMeshCuts(const PosedMotion& motion, const KeptDistances
                present.clear();
                for (std::size_t i = 0; i < motion.Tracks->size(); ++i)
                {
-                 if (kept.IsPresent(static_cast<int>(f), i))
+                 if ((*motion.Tracks)[i].IsPresent(f))
                  {
                    places.push_back(motion.PlaceOf(i, f));
                    present.push_back(i);

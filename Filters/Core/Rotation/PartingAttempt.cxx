@@ -128,7 +128,7 @@ bool PartingAttempt::AreNear(std::size_t a, std::size_t b, int frame, double mor
   const PosedMotion& motion = this->Scene.Motion;
   const auto f = static_cast<std::size_t>(frame);
   const double reach = motion.MeshOf(a).Radius() + motion.MeshOf(b).Radius() + more;
-  return frame >= motion.Objects[a]->FirstPresent() && frame >= motion.Objects[b]->FirstPresent() &&
+  return (*motion.Tracks)[a].IsPresent(f) && (*motion.Tracks)[b].IsPresent(f) &&
          (motion.PlaceOf(a, f) - motion.PlaceOf(b, f)).squaredNorm() < reach * reach;
 }
 

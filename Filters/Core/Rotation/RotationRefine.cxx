@@ -95,6 +95,8 @@ bool KeepApart(const RotationInput& input, double most, const ParallelFor& paral
   for (std::size_t i = 0; i < tracks.size(); ++i)
   {
     tracks[i].ObjectId = input.Tracks[i].ObjectId;
+    tracks[i].FirstPresent = input.Tracks[i].FirstPresent;
+    tracks[i].Leave = input.Tracks[i].Leave;
     tracks[i].Positions = input.Tracks[i].Positions;
   }
   (void)ApplyShifts(result, tracks);

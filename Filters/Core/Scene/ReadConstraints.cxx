@@ -117,6 +117,10 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
   }
   ReadSides(node, constraint);
   this->Out.Constraints.push_back(constraint);
+  if (simple->IsPositional)
+  {
+    this->ReadLeave(node, { Target{ constraint.Value } }, index, this->Out.Constraints.size() - 1);
+  }
 }
 
 void SceneReader::ReadSides(const SceneNode& node, Constraint& constraint)
@@ -327,6 +331,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
   }
   const RowTimes times = this->ReadTimes(node, targets, row);
   const int until = rests ? this->ReadUntil(node, times) : 0;
+  const std::size_t first = this->Out.Constraints.size();
   std::vector<int> assigned(targets.size(), -1);
   if (inOrder)
   {
@@ -355,6 +360,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
       this->Out.Constraints.push_back(moving);
     }
   }
+  this->ReadLeave(node, targets, row, first);
 }
 
 } // namespace waft

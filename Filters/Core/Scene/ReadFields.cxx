@@ -291,6 +291,69 @@ void SceneReader::AddGround()
   this->Out.Obstacles.push_back(std::move(ground));
 }
 
+namespace
+{
+/// One that is unit stays as it was written.
+Vec3 DirectionOf(const SceneNode& item)
+{
+  Vec3 direction = item.At("direction", "a direction [x, y, z]").Vector();
+  if (!(direction.norm() > 1e-12))
+  {
+    item.At("direction", "").Fail("a direction that is not zero");
+  }
+  if (std::abs(direction.norm() - 1.0) > 1e-15)
+  {
+    direction.normalize();
+  }
+  return direction;
+}
+} // namespace
+
+void SceneReader::ReadFront(const SceneNode& node)
+{
+  const SceneNode kind = node.At("kind", "");
+  if (kind.Text() != "front")
+  {
+    kind.Fail("front; other winds have no kind");
+  }
+  node.CheckFields("windFront");
+  WindFront front;
+  front.Direction = DirectionOf(node);
+  front.Speed = node.At("speed", "a speed in m/s").Number();
+  if (!(front.Speed > 0.0))
+  {
+    node.At("speed", "").Fail("a speed above 0");
+  }
+  front.Strength = node.At("strength", "a strength in m/s^2").Number();
+  node.Take("width", front.Width);
+  if (node.Has("startFrame"))
+  {
+    front.StartTime = this->Out.Info.Time.Time(this->Frame(node.At("startFrame", "")));
+  }
+  const Box& volume = this->Out.Info.Bounds;
+  front.Origin = (front.Direction.array() > 0.0).select(volume.Min, volume.Max);
+  node.Take("origin", front.Origin);
+  this->Out.Fronts.push_back(front);
+}
+
+void SceneReader::LiftByFronts()
+{
+  const Timeline& time = this->Out.Info.Time;
+  const int last = time.NumberOfFrames - 1;
+  for (Constraint& row : this->Out.Constraints)
+  {
+    for (const WindFront& front : this->Out.Fronts)
+    {
+      const double passes = front.PassesAt(row.Value) * time.FramesPerSecond;
+      const double lain = row.Frame + (row.FrameFrom >= 0 ? time.FramesPerSecond : 1.0);
+      if (IsRest(row.Kind) && row.Until == last && passes > lain && passes < last)
+      {
+        row.Until = static_cast<int>(std::ceil(passes));
+      }
+    }
+  }
+}
+
 void SceneReader::ReadWinds(const SceneNode& node)
 {
   const std::size_t count = node.Size("a list of winds");
@@ -329,17 +392,14 @@ void SceneReader::ReadWinds(const SceneNode& node)
       this->Out.WindFiles.push_back(std::move(wind));
       continue;
     }
+    if (item.Has("kind"))
+    {
+      this->ReadFront(item);
+      continue;
+    }
     item.CheckFields("analyticWind");
     AnalyticWind wind;
-    wind.Direction = item.At("direction", "a direction [x, y, z]").Vector();
-    if (!(wind.Direction.norm() > 1e-12))
-    {
-      item.At("direction", "").Fail("a direction that is not zero");
-    }
-    if (std::abs(wind.Direction.norm() - 1.0) > 1e-15) // one that is unit stays as it was written
-    {
-      wind.Direction.normalize();
-    }
+    wind.Direction = DirectionOf(item);
     wind.Strength = item.At("strength", "a strength in m/s^2").Number();
     wind.Center = item.At("center", "a point [x, y, z]").Vector();
     wind.Radius = item.At("radius", "a radius in metres").Number();

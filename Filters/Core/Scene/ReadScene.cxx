@@ -99,6 +99,21 @@ void SceneReader::ReadInfo(const SceneNode& root)
     domain.CheckFields("domain");
     domain.Take("min", info.Bounds.Min);
     domain.Take("max", info.Bounds.Max);
+    if (domain.Has("open"))
+    {
+      const SceneNode open = domain.At("open", "");
+      const std::size_t count = open.Size("a list of x, y and top");
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const auto* side =
+          std::find(std::begin(OpenSides), std::end(OpenSides), open.Item(i).Text());
+        if (side == std::end(OpenSides))
+        {
+          open.Item(i).Fail("x, y or top");
+        }
+        info.Open[static_cast<std::size_t>(side - std::begin(OpenSides))] = 1;
+      }
+    }
     const Vec3 size = info.Bounds.Size();
     if (!(size.minCoeff() > 0.0))
     {
@@ -180,6 +195,7 @@ void SceneReader::Read(const SceneNode& root)
   {
     this->ReadVortices(root.At("vortices", ""));
   }
+  this->LiftByFronts();
   this->WarnOfMore();
 }
 

@@ -14,6 +14,14 @@ namespace
 
 constexpr std::uint64_t OrderStream = 0x6f72646572;
 constexpr std::uint64_t ReleaseStream = 0x72656c65617365;
+constexpr std::uint64_t LeaveStream = 0x6c65617665;
+constexpr std::uint64_t ShareStream = 0x7368617265;
+/// Seen from the front, -y: axis and sign.
+constexpr std::pair<const char*, std::pair<int, double>> Sides[] = { { "left", { 0, -1.0 } },
+                                                                     { "right", { 0, 1.0 } },
+                                                                     { "front", { 1, -1.0 } },
+                                                                     { "back", { 1, 1.0 } },
+                                                                     { "top", { 2, 1.0 } } };
 constexpr const char* Orders =
   "air, left-to-right, right-to-left, top-down, bottom-up, outward, inward, random, letters, "
   "words, lines, {\"direction\": [x, y, z]} or a list of ranks";
@@ -164,6 +172,109 @@ std::vector<int> SceneReader::ReadReleases(const SceneNode& node,
     frames.push_back(from + static_cast<int>(std::lround(SpreadOf(spread, part) * length)));
   }
   return frames;
+}
+
+Vec3 SceneReader::ReadAway(const SceneNode& leave) const
+{
+  if (leave.Has("direction"))
+  {
+    const SceneNode direction = leave.At("direction", "");
+    if (leave.Has("side"))
+    {
+      direction.FailWith("expected either `side` or `direction`");
+    }
+    if (!(direction.Vector().norm() > 1e-12))
+    {
+      direction.Fail("a direction that is not zero");
+    }
+    return direction.Vector().normalized();
+  }
+  if (!leave.Has("side"))
+  {
+    return Vec3::Zero();
+  }
+  const SceneNode side = leave.At("side", "");
+  const auto* found = std::find_if(std::begin(Sides), std::end(Sides),
+                                   [&](const auto& one) { return side.Text() == one.first; });
+  if (found == std::end(Sides))
+  {
+    side.Fail("left, right, front, back or top");
+  }
+  const auto& [axis, sign] = found->second;
+  return sign * Vec3::Unit(axis);
+}
+
+void SceneReader::ReadLeave(const SceneNode& node, const std::vector<Target>& targets, int row,
+                            std::size_t first)
+{
+  if (!node.Has("leave"))
+  {
+    return;
+  }
+  const SceneNode leave = node.At("leave", "");
+  leave.CheckFields("leave");
+  std::vector<Constraint*> rows; // by target
+  int arrives = 0;
+  for (std::size_t i = first; i < this->Out.Constraints.size(); ++i)
+  {
+    Constraint& own = this->Out.Constraints[i];
+    if (IsPositional(own.Kind))
+    {
+      rows.push_back(&own);
+      arrives = std::max(arrives, own.Frame);
+    }
+  }
+  const int last = this->Out.Info.Time.NumberOfFrames - 1;
+  const SceneNode frame = leave.At("frame", "a frame of the scene, or a window");
+  const bool isWindow = frame.Json().is_object();
+  const TimeSpread spread = ReadSpread(leave);
+  FrameWindow window;
+  const auto after = [&](const SceneNode& one, int least)
+  { return static_cast<int>(one.Integer(least, last, "a frame not before the last arrival")); };
+  window.From = window.To = isWindow ? 0 : after(frame, arrives);
+  if (isWindow)
+  {
+    frame.CheckFields("window");
+    window.From = after(frame.At("from", "the frame at which the first goes"), arrives);
+    window.To = static_cast<int>(frame.At("to", "the frame at which the last goes")
+                                   .Integer(window.From, last, "a frame not before `from`"));
+  }
+  const std::vector<double> parts =
+    leave.Has("order") ? this->ReadOrder(leave.At("order", ""), targets, spread, row)
+                       : PartsByChance(targets.size(), this->Out.Info.Seed,
+                                       LeaveStream + static_cast<std::uint64_t>(row));
+  double share = 1.0;
+  leave.Take("share", share);
+  const std::vector<double> chances = PartsByChance(targets.size(), this->Out.Info.Seed,
+                                                    ShareStream + static_cast<std::uint64_t>(row));
+  const Vec3 away = this->ReadAway(leave);
+  for (std::size_t t = 0; t < rows.size(); ++t)
+  {
+    if (chances[t] * static_cast<double>(targets.size() - 1) + 0.5 >=
+        share * static_cast<double>(targets.size()))
+    {
+      continue;
+    }
+    int axis = 2;
+    (void)this->Out.Info.Bounds.WayOut(rows[t]->Value, away, &axis);
+    if (!away.isZero() &&
+        (this->Out.Info.Open[static_cast<std::size_t>(axis)] == 0 || (axis == 2 && away.z() < 0.0)))
+    {
+      leave.FailWith("expected a way out by a side that is open (/domain/open), found " +
+                     std::string(axis == 2 && away.z() < 0.0 ? "the floor" : OpenSides[axis]) +
+                     " closed");
+    }
+    rows[t]->LeaveFrom = FrameAt(window, spread, parts[t]);
+    rows[t]->LeaveAway = away;
+    if (leave.Has("fade"))
+    {
+      rows[t]->LeaveFade = this->Frame(leave.At("fade", ""));
+    }
+    if (IsRest(rows[t]->Kind))
+    {
+      rows[t]->Until = std::min(rows[t]->Until, rows[t]->LeaveFrom);
+    }
+  }
 }
 
 std::vector<double> SceneReader::ReadOrder(const SceneNode& node,

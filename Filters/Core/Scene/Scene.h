@@ -37,6 +37,9 @@ struct AuthoredScene
   std::string Winds;
 };
 
+/// The sides that may be open, by the axes of SceneInfo::Open.
+inline constexpr const char* OpenSides[] = { "x", "y", "top" };
+
 /// The contents of a scene file. Shapes keep the order of the file (ShapeId is the index), objects
 /// are numbered in the order of the expanded list, ClassId is the index in Classes.
 struct Scene
@@ -50,6 +53,7 @@ struct Scene
   std::vector<ObstacleMesh> Obstacles; // the ground last, when there is one
   int GroundId = -1;                   // ObstacleId of the ground; -1: none
   std::vector<AnalyticWind> Winds;
+  std::vector<WindFront> Fronts;
   std::vector<WindFile> WindFiles;
   std::vector<Vortex> Vortices;
   AuthoredScene Authored;

@@ -91,6 +91,8 @@ bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
          a.Side == b.Side && IsNear(a.Facing, b.Facing) &&
          (a.Facing.isZero() || IsNear(a.FacingTolerance, b.FacingTolerance)) &&
          IsNear(a.Radius, b.Radius) && (a.Until == b.Until || !IsLasting(a)) && a.Hold == b.Hold &&
+         a.LeaveFrom == b.LeaveFrom && IsNear(a.LeaveAway, b.LeaveAway) &&
+         a.LeaveFade == b.LeaveFade &&
          (IsAttitude(a.Kind) ? IsNear(a.Orientation, b.Orientation) : IsNear(a.Value, b.Value));
 }
 
@@ -113,7 +115,13 @@ bool AreSameWinds(const Scene& a, const Scene& b)
            IsNear(u.Center, v.Center) && IsNear(u.Radius, v.Radius) &&
            IsNear(u.CenterTime, v.CenterTime) && IsNear(u.Duration, v.Duration);
   };
-  return AreSame(a.Winds, b.Winds, isSame) &&
+  const auto isSameFront = [](const WindFront& u, const WindFront& v)
+  {
+    return IsNear(u.Direction, v.Direction) && IsNear(u.Speed, v.Speed) &&
+           IsNear(u.Strength, v.Strength) && IsNear(u.Width, v.Width) &&
+           IsNear(u.StartTime, v.StartTime) && IsNear(u.Origin, v.Origin);
+  };
+  return AreSame(a.Winds, b.Winds, isSame) && AreSame(a.Fronts, b.Fronts, isSameFront) &&
          AreSame(a.WindFiles, b.WindFiles,
                  [](const WindFile& u, const WindFile& v)
                  {

@@ -81,6 +81,11 @@ SceneField Hold(const char* sentence)
   return SceneField("hold", Value::Whole, Frame, sentence).Or("0");
 }
 
+SceneField Leave()
+{
+  return SceneField("leave", Value::Part, "how it goes out of the shot after that").Of("leave");
+}
+
 SceneField Radius(const Range& range, const char* unit)
 {
   return SceneField("radius", Value::Number, range, unit).Or("0");
@@ -223,7 +228,12 @@ std::vector<SceneFieldTable> SceneTables()
       { SceneField("min", Value::Vector, Coordinate, "lowest corner of the volume, m")
           .Or("[-2, -2, 0]"),
         SceneField("max", Value::Vector, Coordinate, "highest corner of the volume, m")
-          .Or("[2, 2, 4]") } },
+          .Or("[2, 2, 4]"),
+        SceneField("open", Value::Word,
+                   "sides that bodies and air pass: both ends of x, of y; the top")
+          .Among({ "x", "y", "top" })
+          .List(3)
+          .Or("[]") } },
     { "ground",
       { { "height", Value::Number, Coordinate, "m; default: the volume's floor" },
         SceneField("enabled", Value::Flag).Or("true") },
@@ -281,7 +291,7 @@ std::vector<SceneFieldTable> ConstraintTables()
   return {
     { "positionConstraint",
       OfPlacedRow("position") + Fields{ Asked(Value::Vector, Coordinate, "m"),
-                                        Hold("frames for which it stays there, still"),
+                                        Hold("frames for which it stays there, still"), Leave(),
                                         Radius(Distance, "m; 0: exact"), Facing() } },
     { "window",
       { FrameOf("from", "the first frame of the window").Required(),
@@ -289,6 +299,20 @@ std::vector<SceneFieldTable> ConstraintTables()
     { "orderDirection",
       { SceneField("direction", Value::Vector, Direction, "not zero").Required() },
       "one after another along a direction" },
+    { "leave",
+      Fields{
+        FrameOf("frame", "at which it goes, or a window in which each goes at a frame of its own")
+          .Of("window")
+          .Required(),
+        SceneField("side", Value::Word,
+                   "an open one, by which it goes out; seen from the front, -y")
+          .Among({ "left", "right", "front", "back", "top" }),
+        SceneField("direction", Value::Vector, Direction,
+                   "not zero, in the place of a side; without either it goes where it is"),
+        Ordered("who goes when", { "letters", "words", "lines" }).Or("\"random\""),
+        SpreadOver("over the window"),
+        SceneField("share", Value::Number, UpTo(1.0), "of the objects that go, by chance").Or("1"),
+        SceneField("fade", Value::Whole, Frame, "frames in which it fades where it is").Or("0") } },
     { "facing",
       { SceneField("direction", Value::Vector, Direction, "not zero, made unit").Required(),
         SceneField("tolerance", Value::Number, FacingTolerances, "rad").Or("0.35") },
@@ -297,7 +321,7 @@ std::vector<SceneFieldTable> ConstraintTables()
       OfPlacedRow("rest") +
         Fields{ FrameOf("until", "default: the last frame"),
                 Asked(Value::Vector, Coordinate, "a point above the surface to rest on, m"),
-                FaceUp("the side that looks up (up: its z axis)") } },
+                Leave(), FaceUp("the side that looks up (up: its z axis)") } },
     { "velocityConstraint", OfRow("velocity", ObjectId(), Asked(Value::Vector, Velocity, "m/s")) +
                               Fields{ Radius(Distance, "m/s; 0: exact") } },
     { "accelerationConstraint",
@@ -324,7 +348,7 @@ std::vector<SceneFieldTable> ConstraintTables()
             .Or("\"none\""),
           FrameOf("until", "of rest; default: the last frame"),
           Hold("frames for which all stay there, still, once the last has come; not of rest"),
-          Radius(Distance, "m; 0: exact"), Facing("not of rest"),
+          Leave(), Radius(Distance, "m; 0: exact"), Facing("not of rest"),
           FaceUp("of rest: the side that looks up (up: its z axis)") } },
   };
 }
@@ -386,6 +410,17 @@ std::vector<SceneFieldTable> AirTables()
         FrameOf("firstFrame",
                 "frame of the file's first field; default: as the file or its name says"),
         SceneField("scale", Value::Number, Coefficient, "factor of the values").Or("1") } },
+    { "windFront",
+      { Kind("front"),
+        SceneField("direction", Value::Vector, Direction, "made unit").Required(),
+        SceneField("speed", Value::Number, Coefficient, "m/s, of its edge").Required(),
+        SceneField("strength", Value::Number, Acceleration, "m/s^2 behind the edge").Required(),
+        SceneField("width", Value::Number, Length, "m, along the direction, that it blows over")
+          .Or("1"),
+        FrameOf("startFrame", "at which its edge is at `origin`").Or("0"),
+        { "origin", Value::Vector, Coordinate,
+          "m; default: the corner of the volume where it comes in" } },
+      "a gust whose edge travels" },
     { "analyticWind",
       Fields{ SceneField("direction", Value::Vector, Direction, "made unit").Required(),
               SceneField("strength", Value::Number, Acceleration, "m/s^2 at the center").Required(),

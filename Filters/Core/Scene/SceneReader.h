@@ -39,6 +39,9 @@ public:
   void ReadObjectEntry(const SceneNode& node, std::size_t index);
   void ReadConstraint(const SceneNode& node, int index);
   void ReadWinds(const SceneNode& node);
+  void ReadFront(const SceneNode& node);
+  /// What lies to the end is lifted by the first front that passes it.
+  void LiftByFronts();
   /// "Any object" means any of the scene; a choice among a few is made here, once all rows are
   /// known.
   void AssignChosen(const SceneNode& node);
@@ -113,6 +116,10 @@ private:
   /// Of a rest, `until` where it is there, else the last frame.
   int ReadUntil(const SceneNode& node, const RowTimes& times) const;
   void ReadHold(const SceneNode& node, Constraint& constraint) const;
+  /// Of the rows of an entry from the index `first` on, one a target.
+  void ReadLeave(const SceneNode& node, const std::vector<Target>& targets, int row,
+                 std::size_t first);
+  Vec3 ReadAway(const SceneNode& leave) const;
 
   // ReadTimes.cxx
   /// Of the objects of an entry, -1 where they fly from the first frame.

@@ -270,7 +270,8 @@ SceneJson Choices()
     "targets": {"oneOf": [{"$ref": "#/definitions/pointTargets"}, {"$ref": "#/definitions/textTargets"},
       {"$ref": "#/definitions/imageTargets"}, {"$ref": "#/definitions/meshTargets"}]},
     "wind": {"if": {"required": ["file"]}, "then": {"$ref": "#/definitions/windFile"},
-             "else": {"$ref": "#/definitions/analyticWind"}}})");
+             "else": {"if": {"required": ["kind"]}, "then": {"$ref": "#/definitions/windFront"},
+                      "else": {"$ref": "#/definitions/analyticWind"}}}})");
   choices["constraint"] = OneOfKinds("Constraint");
   choices["obstacle"] = OneOfKinds("Obstacle");
   return choices;

@@ -12,12 +12,17 @@ namespace waft
 namespace
 {
 
-FieldSeries LatticeOver(const Box& volume, const std::vector<AnalyticWind>& winds)
+FieldSeries LatticeOver(const Box& volume, const std::vector<AnalyticWind>& winds,
+                        const std::vector<WindFront>& fronts)
 {
   double spacing = volume.Width() / 16.0;
   for (const AnalyticWind& wind : winds)
   {
     spacing = std::min(spacing, 0.5 * wind.Radius);
+  }
+  for (const WindFront& front : fronts)
+  {
+    spacing = std::min(spacing, 0.25 * front.Width); // over which it comes
   }
   FieldSeries lattice;
   lattice.Origin = volume.Min;
@@ -37,6 +42,7 @@ Result SceneWind::Build(const Scene& scene, const SceneAssets& assets)
 {
   SceneWind built;
   built.Analytic = scene.Winds;
+  built.Fronts = scene.Fronts;
   for (const WindFile& file : scene.WindFiles)
   {
     FieldSeries wind;
@@ -45,7 +51,7 @@ Result SceneWind::Build(const Scene& scene, const SceneAssets& assets)
     {
       return Result::Error(file.Location + ": " + result.Message());
     }
-    const bool isAlone = scene.WindFiles.size() == 1 && scene.Winds.empty();
+    const bool isAlone = scene.WindFiles.size() == 1 && scene.Winds.empty() && scene.Fronts.empty();
     if (wind.Meaning == FieldMeaning::Velocity && !isAlone)
     {
       return Result::Error(file.Location + ": expected the only wind of the scene (its `Velocity` "
@@ -54,7 +60,7 @@ Result SceneWind::Build(const Scene& scene, const SceneAssets& assets)
     built.Remark(file, wind, scene.Info);
     built.Files.push_back(std::move(wind));
   }
-  built.Lattice = LatticeOver(scene.Info.Bounds, built.Analytic);
+  built.Lattice = LatticeOver(scene.Info.Bounds, built.Analytic, built.Fronts);
   for (const FieldSeries& wind : built.Files)
   {
     const bool isFirst = &wind == &built.Files.front();
@@ -116,6 +122,10 @@ FieldSeries SceneWind::At(double time) const
     for (const AnalyticWind& wind : this->Analytic)
     {
       value += wind.Acceleration(x, time);
+    }
+    for (const WindFront& front : this->Fronts)
+    {
+      value += front.Acceleration(x, time);
     }
     for (const FieldSeries& wind : this->Files)
     {

@@ -8,9 +8,9 @@
 namespace waft
 {
 
-/// Analytic winds and wind files added up. The lattice is the finest of the files'; without files
-/// one over the volume whose spacing is a sixteenth of its width or half the smallest radius, at
-/// most 65 points a side.
+/// Analytic winds, fronts and wind files added up. The lattice is the finest of the files'; without
+/// files one over the volume whose spacing is a sixteenth of its width or half the smallest radius
+/// or width, at most 65 points a side.
 class SceneWind
 {
 public:
@@ -21,7 +21,10 @@ public:
   /// What of the files is odd, a sentence each: a series that begins after the scene's end, a field
   /// outside the volume.
   const std::vector<std::string>& Warnings() const { return this->Odd; }
-  bool IsEmpty() const { return this->Analytic.empty() && this->Files.empty(); }
+  bool IsEmpty() const
+  {
+    return this->Analytic.empty() && this->Fronts.empty() && this->Files.empty();
+  }
   /// The extent of the lattice (0, -1, ... without wind).
   void WholeExtent(int extent[6]) const;
   /// The field at a time [s], a series of one step; empty when there is no wind.
@@ -36,6 +39,7 @@ private:
   void Remark(const WindFile& file, const FieldSeries& wind, const SceneInfo& info);
 
   std::vector<AnalyticWind> Analytic;
+  std::vector<WindFront> Fronts;
   std::vector<FieldSeries> Files;
   std::vector<std::string> Odd;
   FieldSeries Lattice; // its dimensions, origin, spacing and meaning

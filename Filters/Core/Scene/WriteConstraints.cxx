@@ -96,12 +96,32 @@ bool FormatTimes(const std::vector<const Constraint*>& rows, SceneJson& json)
   return false;
 }
 
-void FormatHold(const Constraint& row, SceneJson& json)
+/// How long it is held, and how it goes.
+void FormatStay(const Constraint& row, SceneJson& json)
 {
   if (row.Hold > 0)
   {
     json["hold"] = row.Hold;
   }
+  if (row.LeaveFrom >= 0)
+  {
+    SceneJson& leave = json["leave"];
+    leave["frame"] = row.LeaveFrom;
+    if (!row.LeaveAway.isZero())
+    {
+      leave["direction"] = FormatVector(row.LeaveAway);
+    }
+    if (row.LeaveFade > 0)
+    {
+      leave["fade"] = row.LeaveFade;
+    }
+  }
+}
+
+bool StayAlike(const Constraint& a, const Constraint& b)
+{
+  return a.Hold == b.Hold && a.LeaveFrom == b.LeaveFrom && a.LeaveAway == b.LeaveAway &&
+         a.LeaveFade == b.LeaveFade;
 }
 
 /// Whether the targets of a keyframe may be rows of this kind.
@@ -165,7 +185,7 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
   {
     json["radius"] = row.Radius;
   }
-  FormatHold(row, json);
+  FormatStay(row, json);
   FormatSides(row, json);
   return true;
 }
@@ -177,7 +197,7 @@ bool SceneFormat::FormatPath(const Rows& rows, SceneJson& json) const
   for (const Constraint* row : rows)
   {
     if (row->Kind != ConstraintKind::Position || row->Group >= 0 || row->ClassId >= 0 ||
-        !row->Facing.isZero() || row->Hold > 0 || row->ObjectId < 0 ||
+        !row->Facing.isZero() || row->Hold > 0 || row->LeaveFrom >= 0 || row->ObjectId < 0 ||
         row->ObjectId != first.ObjectId || row->Target != first.Target ||
         row->Radius != first.Radius || row->Frame != first.Frame + static_cast<int>(points.size()))
     {
@@ -225,7 +245,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   {
     if (IsOfKeyframe(row->Kind))
     {
-      if (row->Kind != first.Kind || row->Radius != first.Radius || row->Hold != first.Hold ||
+      if (row->Kind != first.Kind || row->Radius != first.Radius || !StayAlike(*row, first) ||
           !HaveSameSides(*row, first) || (IsRest(row->Kind) && row->Until != first.Until))
       {
         return false;
@@ -291,7 +311,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   {
     json["radius"] = first.Radius;
   }
-  FormatHold(first, json);
+  FormatStay(first, json);
   FormatSides(first, json);
   return true;
 }

@@ -177,6 +177,17 @@ void SceneFormat::WriteWinds()
     {
       list.push_back(FormatWind(wind));
     }
+    for (const WindFront& front : this->In.Fronts)
+    {
+      const double start = front.StartTime * this->In.Info.Time.FramesPerSecond;
+      list.push_back({ { "kind", "front" },
+                       { "direction", FormatVector(front.Direction) },
+                       { "speed", front.Speed },
+                       { "strength", front.Strength },
+                       { "width", front.Width },
+                       { "startFrame", std::lround(start) },
+                       { "origin", FormatVector(front.Origin) } });
+    }
     for (const WindFile& file : this->In.WindFiles)
     {
       SceneJson json = { { "file", this->Relative(file.Path) } };

@@ -97,6 +97,13 @@ void SceneFormat::WriteInfo()
                          { "framesPerSecond", info.Time.FramesPerSecond } };
   this->Root["domain"] = { { "min", FormatVector(info.Bounds.Min) },
                            { "max", FormatVector(info.Bounds.Max) } };
+  for (std::size_t side = 0; side < info.Open.size(); ++side)
+  {
+    if (info.Open[side] != 0)
+    {
+      this->Root["domain"]["open"].push_back(OpenSides[side]);
+    }
+  }
   this->Root["air"] = { { "density", info.AirDensity } };
 }
 

@@ -53,6 +53,8 @@ def _strays(scene, placed, stage):
         for frame in (len(stage.frames) // 2, len(stage.frames) - 1):
             scene.frame_set(stage.frames[frame])
             for number, (thing, locations) in enumerate(placed):
+                if thing.hide_viewport:  # Blender does not place it
+                    continue
                 off = float(np.linalg.norm(np.array(thing.matrix_world.translation) - locations[frame]))
                 if off > _OFF * (1.0 + float(np.linalg.norm(locations[frame]))):
                     apart[number] = max(apart[number], off)

@@ -188,6 +188,26 @@ TEST(FieldSeries, NamesTheStepOfANumberThatIsNotFinite)
             "Wind: step 0, point 1: expected a number from -1000000 to 1000000, found nan");
 }
 
+TEST(WindFront, PushesBehindItsEdge)
+{
+  WindFront front;
+  front.Direction = Vec3::UnitY();
+  front.Origin = Vec3(5.0, -1.0, 0.0);
+  front.Speed = 2.0;
+  front.Strength = 3.0;
+  front.Width = 4.0;
+  front.StartTime = 1.0;
+  EXPECT_DOUBLE_EQ(2.0, front.PassesAt(Vec3(0.0, 1.0, 7.0)));
+  const double time = 3.0; // the edge is at y = 3, the end at -1
+  EXPECT_EQ(Vec3(Vec3::Zero()), front.Acceleration(Vec3(0.0, 3.01, 0.0), time));
+  EXPECT_EQ(Vec3(Vec3::Zero()), front.Acceleration(Vec3(0.0, -1.01, 0.0), time));
+  EXPECT_NEAR(1.5, front.Acceleration(Vec3(2.0, 2.75, 0.0), time).y(), 1e-12); // half up
+  for (const double y : { -0.5, 1.0, 2.5 })
+  {
+    EXPECT_EQ(Vec3(0.0, 3.0, 0.0), front.Acceleration(Vec3(1.0, y, 4.0), time)) << y;
+  }
+}
+
 TEST(AnalyticWind, FallsAsStated)
 {
   AnalyticWind wind;

@@ -62,6 +62,27 @@ TEST(CentralDifferences, BeginWhereTheObjectComesIntoTheShot)
   EXPECT_EQ(3, track.Release);
 }
 
+TEST(Track, EndsWhereTheObjectIsGone)
+{
+  Track track;
+  track.Leave = 4;
+  track.Fade = 2;
+  for (int k = 0; k < 6; ++k)
+  {
+    track.Positions.emplace_back(0.1 * std::min(k, 3), 0.0, 0.0);
+  }
+  const std::vector<Vec3> velocities = CentralVelocities(track, 0.1);
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    EXPECT_EQ(k < 4, track.IsPresent(k));
+    EXPECT_NEAR(k < 4 ? 1.0 : 0.0, velocities[k].x(), 1e-12) << k;
+  }
+  EXPECT_EQ(1.0, track.SizeAt(2));
+  EXPECT_EQ(0.5, track.SizeAt(3));
+  EXPECT_EQ(0.0, track.SizeAt(4));
+  EXPECT_TRUE(track.ComesOrGoes());
+}
+
 TEST(ObstacleMesh, MovesBetweenItsFrames)
 {
   ObstacleMesh obstacle;

@@ -26,7 +26,8 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
                          std::vector<Vec3> planned, std::vector<Constraint> rows) :
   World(scene),
   Body(object), Planned(std::move(planned)), Wanted(std::move(rows)),
-  Landings(LandingWindows(object, this->Wanted, scene.Obstacles, scene.Scene.Time.FramesPerSecond))
+  Landings(LandingWindows(object, this->Wanted, scene.Obstacles, scene.Scene.Time.FramesPerSecond)),
+  Space(scene.Scene, 0)
 {
   for (const LandingWindow& landing : this->Landings)
   {
@@ -162,7 +163,7 @@ void BodyProblem::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& dep
 {
   const Clearance asked = this->AskedAt(frame);
   const double radius = asked.Radius + std::min(BarrierMargin, this->Body.ClearanceRadius);
-  const Box& volume = this->World.Scene.Bounds;
+  const Box& volume = this->Space.At(frame);
   const auto push = [&](const Vec3& normal, double depth)
   {
     if (depth > 0.0)
@@ -292,7 +293,6 @@ std::vector<std::vector<Vec3>> BodyProblem::Starts(const AirSampler& air, int pe
 // away.
 void BodyProblem::CloseBarrierGaps(std::vector<Vec3>& path) const
 {
-  const Box& volume = this->World.Scene.Bounds;
   for (std::size_t f = 0; f < path.size(); ++f)
   {
     if (this->IsFixed[f])
@@ -300,6 +300,7 @@ void BodyProblem::CloseBarrierGaps(std::vector<Vec3>& path) const
       continue;
     }
     const auto frame = static_cast<double>(f);
+    const Box& volume = this->Space.At(frame);
     const Clearance asked = this->AskedAt(static_cast<int>(f));
     const bool lands = asked.Exempt >= 0;
     const Vec3 low = Vec3::Constant(asked.Radius);
@@ -320,7 +321,7 @@ void BodyProblem::CloseBarrierGaps(std::vector<Vec3>& path) const
 
 PathClearance BodyProblem::Around() const
 {
-  return { this->World.Obstacles, this->World.Scene.Bounds, this->Landings, this->Body,
+  return { this->World.Obstacles, this->Space, this->Landings, this->Body,
            ClearanceSlack * this->World.Scene.Bounds.Width() };
 }
 

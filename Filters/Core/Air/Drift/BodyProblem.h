@@ -61,6 +61,11 @@ public:
 
   /// The frame from which no row asks for anything any more; a lift-off is left alone for a second.
   int FreeFrom() const;
+  /// The frame from which it is out of the volume by an open side on a path, by its clearance; -1:
+  /// it stays.
+  int GoneFrom(const std::vector<Vec3>& path) const;
+  /// The row after which it is to go, or null.
+  const Constraint* LeavingRow() const;
   /// It lies from a frame to the end on the surface straight below a place, though no row asks it
   /// to.
   void LandFreely(int frame, const Vec3& place);
@@ -125,6 +130,7 @@ private:
   bool IsLetGoAt(int frame) const;
   void AddRows();
   void AddDifference(const Constraint& row);
+  void AddLeaving(const Constraint& row);
   Clearance AskedAt(int frame) const;
   void CloseBarrierGaps(std::vector<Vec3>& path) const;
   void MeetRows(std::vector<Vec3>& path) const;
@@ -145,6 +151,7 @@ private:
   std::vector<Vec3> Fixed;
   std::vector<std::pair<int, Vec3>> Passed; // frames and places of exact positions
   std::vector<Stay> Stays;                  // where it hangs or is held still, in no order
+  FlightRoom Space;                         // where it may be
   std::vector<DriftRow> DriftRows;
   std::vector<PositionBall> Balls;
   std::vector<DifferenceRow> Differences;

@@ -9,11 +9,18 @@
 
 namespace waft
 {
+namespace
+{
+constexpr double LeavingSpeed = 1.0; // m/s, of who goes out
+constexpr double LeavingDelay = 0.5; // s, in which the air takes it up
+constexpr double WideBall = 20.0;    // sizes of the volume
+} // namespace
 
 void BodyProblem::AddRows()
 {
   for (const Constraint& row : this->Wanted)
   {
+    this->AddLeaving(row);
     switch (row.Kind)
     {
       case ConstraintKind::Position:
@@ -68,6 +75,27 @@ void BodyProblem::AddDifference(const Constraint& row)
   {
     this->Differences.push_back(exact);
     this->DriftRows.push_back(sought);
+  }
+}
+
+// Beyond the side in time, in a ball so wide that it is as good as all that is there.
+void BodyProblem::AddLeaving(const Constraint& row)
+{
+  if (row.LeaveFrom < 0 || row.LeaveAway.isZero())
+  {
+    return;
+  }
+  const SceneInfo& scene = this->World.Scene;
+  const double way =
+    scene.Bounds.WayOut(row.Value, row.LeaveAway) + 2.0 * this->Body.ClearanceRadius;
+  const double seconds = way / LeavingSpeed + LeavingDelay;
+  const auto frame =
+    row.LeaveFrom + static_cast<int>(std::lround(seconds * scene.Time.FramesPerSecond));
+  if (frame < this->NumberOfFrames())
+  {
+    const double wide = WideBall * scene.Bounds.Size().maxCoeff();
+    this->DriftRows.push_back(
+      { { { frame, 1.0 } }, row.Value + (way + wide) * row.LeaveAway, wide });
   }
 }
 

@@ -40,6 +40,7 @@ void BodyProblem::FixFrames()
   {
     fix(frame, place);
   }
+  this->Space = FlightRoom(this->World.Scene, this->FreeFrom());
 }
 
 int BodyProblem::EarliestTouchDown(std::size_t landing, int most) const
@@ -92,12 +93,42 @@ void BodyProblem::SetLiftOff(std::size_t landing, int frame)
 int BodyProblem::FreeFrom() const
 {
   const int second = static_cast<int>(std::lround(this->World.Scene.Time.FramesPerSecond));
-  int first = 1;
+  int first = 1 + this->Body.Released();
   for (const Constraint& row : this->Wanted)
   {
-    first = std::max(first, LastFrame(row) + (IsRest(row.Kind) ? second : 1));
+    if (row.Row != OfNoRow || !IsRest(row.Kind)) // it lies by itself
+    {
+      first = std::max(first, LastFrame(row) + (IsRest(row.Kind) ? second : 1));
+    }
   }
   return first;
+}
+
+const Constraint* BodyProblem::LeavingRow() const
+{
+  const auto found = std::find_if(this->Wanted.begin(), this->Wanted.end(),
+                                  [](const Constraint& row) { return row.LeaveFrom >= 0; });
+  return found != this->Wanted.end() ? &*found : nullptr;
+}
+
+int BodyProblem::GoneFrom(const std::vector<Vec3>& path) const
+{
+  const Constraint* leaving = this->LeavingRow();
+  if (leaving != nullptr && leaving->LeaveAway.isZero())
+  {
+    const int gone = std::max(this->FreeFrom(), leaving->LeaveFrom + leaving->LeaveFade);
+    return gone < this->NumberOfFrames() ? gone : -1;
+  }
+  const int last = this->World.Scene.IsOpen() ? this->NumberOfFrames() - 1 : -1;
+  for (int f = this->Space.OpenFrom; f <= last; ++f)
+  {
+    const Vec3& x = path[static_cast<std::size_t>(f)];
+    if (this->World.Scene.Bounds.InnerDistance(x) < -this->Body.ClearanceRadius)
+    {
+      return f;
+    }
+  }
+  return -1;
 }
 
 void BodyProblem::LandFreely(int frame, const Vec3& place)

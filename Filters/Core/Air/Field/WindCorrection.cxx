@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace waft
@@ -12,6 +13,7 @@ namespace waft
 namespace
 {
 
+constexpr double GustSquare = 3.0;      // of the median, that a field's square has in a gust
 constexpr double Finest = 2.0;          // of the lattice's spacings
 constexpr double Apart = 0.75;          // of the next larger one, that a scale is at most
 constexpr double EddyTime = 2.0 / 3.0;  // power of its size
@@ -60,6 +62,26 @@ double StructureOf(const std::vector<HalfSeries::Field>& fields, const SeriesLat
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
+/// What an artist's gust blows up is no eddy.
+void LeaveOutGusts(std::vector<HalfSeries::Field>& fields, std::vector<double>& squares)
+{
+  if (squares.empty())
+  {
+    return;
+  }
+  std::vector<double> sorted = squares;
+  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+  const double most = GustSquare * sorted[sorted.size() / 2];
+  for (std::size_t f = squares.size(); f-- > 0;)
+  {
+    if (squares[f] > most)
+    {
+      fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(f));
+      squares.erase(squares.begin() + static_cast<std::ptrdiff_t>(f));
+    }
+  }
+}
+
 double Dot(const std::vector<double>& a, const std::vector<double>& b)
 {
   double sum = 0.0;
@@ -86,7 +108,7 @@ std::vector<WindScale> ScalesOf(const HalfSeries& air, double spacing, double ti
   }
   std::vector<HalfSeries::Field> fields;
   const std::size_t stride = std::max<std::size_t>(1, air.Values.size() / StructureAt);
-  double square = 0.0;
+  std::vector<double> squares;
   for (std::size_t f = stride / 2; f < air.Values.size(); f += stride)
   {
     fields.push_back(air.At(f));
@@ -96,9 +118,11 @@ std::vector<WindScale> ScalesOf(const HalfSeries& air, double spacing, double ti
       own += static_cast<double>(u[0]) * u[0] + static_cast<double>(u[1]) * u[1] +
              static_cast<double>(u[2]) * u[2];
     }
-    square += own / (3.0 * static_cast<double>(fields.back().size()));
+    squares.push_back(own / (3.0 * static_cast<double>(fields.back().size())));
   }
-  const double variance = square / static_cast<double>(std::max<std::size_t>(1, fields.size()));
+  LeaveOutGusts(fields, squares);
+  const double variance = std::accumulate(squares.begin(), squares.end(), 0.0) /
+                          static_cast<double>(std::max<std::size_t>(1, fields.size()));
   double above = variance;
   for (std::size_t l = 0; l < scales.size(); ++l)
   {

@@ -41,6 +41,56 @@ void Describe(const BodyProblem& body, const AirSampler& air, Track& track,
   }
 }
 
+/// From the frame from which it is gone on it stays where it was seen last.
+void EndWhereGone(int leave, Track& track, std::vector<Vec3>& controls,
+                  std::vector<unsigned char>& isFree)
+{
+  track.Leave = leave;
+  if (leave < 0)
+  {
+    return;
+  }
+  const auto end = static_cast<std::size_t>(std::max(leave, 1));
+  const auto keep = [end](auto& values)
+  {
+    for (std::size_t f = end; f < values.size(); ++f)
+    {
+      values[f] = values[end - 1];
+    }
+  };
+  keep(track.Positions);
+  keep(track.AirVelocities);
+  keep(track.Slips);
+  keep(track.Orientations);
+  std::fill(track.AngularVelocities.begin() + (track.AngularVelocities.empty() ? 0 : end),
+            track.AngularVelocities.end(), Vec3::Zero());
+  std::fill(controls.begin() + end - 1, controls.end(), Vec3::Zero());
+  std::fill(isFree.begin() + end - 1, isFree.end(), 0);
+}
+
+void WarnOfWhoStays(const AirBodies& bodies, AssimilationOutput& output)
+{
+  constexpr std::size_t most = 10;
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    if (bodies.Problems[o].LeavingRow() != nullptr && output.Tracks[o].Leave < 0)
+    {
+      const std::string id = std::to_string(output.Tracks[o].ObjectId);
+      names += count < most ? (count > 0 ? ", " : "") + id : "";
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    output.Warnings.push_back((count > 1 ? "objects " : "object ") + names +
+                              (count > most ? " and more" : "") +
+                              ": still in the volume at the last frame, though to leave: give "
+                              "them more time, or a wind that carries them out");
+  }
+}
+
 } // namespace
 
 void KeepPlan(const AirContext& run, AssimilationOutput& output)
@@ -92,8 +142,13 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
                    output.Tracks[o] = FlownTrack(bodies, o);
                    Describe(bodies.Problems[o], air, output.Tracks[o], output.Controls[o],
                             output.Free[o]);
+                   const Constraint* leaving = bodies.Problems[o].LeavingRow();
+                   output.Tracks[o].Fade = leaving != nullptr ? leaving->LeaveFade : 0;
+                   EndWhereGone(bodies.Problems[o].GoneFrom(bodies.Paths[o]), output.Tracks[o],
+                                output.Controls[o], output.Free[o]);
                  }
                });
+  WarnOfWhoStays(bodies, output);
   output.ResponseTimes.clear();
   for (std::size_t o = 0; run.Options.Inertia && o < bodies.Size(); ++o)
   {
@@ -120,8 +175,11 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
           row.LiftOff = own.LiftOff;
         }
       }
+      row.Leave = output.Tracks[o].Leave;
     }
-    if (const Constraint* landing = bodies.Problems[o].FreeLanding())
+    const Constraint* landing = bodies.Problems[o].FreeLanding();
+    const int leave = output.Tracks[o].Leave;
+    if (landing != nullptr && (leave < 0 || landing->TouchDown < leave))
     {
       output.Constraints.push_back(*landing);
     }

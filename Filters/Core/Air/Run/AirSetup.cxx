@@ -119,7 +119,11 @@ AirScene SetUpScene(const AirContext& run)
   SmokeOptions& smoke = scene.Smoke;
   smoke.Bounds = run.Input.Scene.Bounds;
   smoke.FramesPerSecond = run.Input.Scene.Time.FramesPerSecond;
-  smoke.Boundary.fill(BoundaryKind::Closed);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const bool isOpen = run.Input.Scene.Open[axis] != 0;
+    smoke.Boundary[axis] = isOpen ? BoundaryKind::Open : BoundaryKind::Closed; // never the floor
+  }
   smoke.BuoyancyTemperature = 0.0;
   smoke.AirDensity = run.Input.Scene.AirDensity;
   smoke.NegligibleForce = StirringLeast;

@@ -127,7 +127,9 @@ Result LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies
   std::vector<char> which;
   for (const BodyProblem& body : bodies.Problems)
   {
-    which.push_back(body.FreeFrom() < frames ? 1 : 0);
+    const Constraint* leaving = body.LeavingRow();
+    const bool goesOut = leaving != nullptr && !leaving->LeaveAway.isZero();
+    which.push_back(body.FreeFrom() < frames && !goesOut ? 1 : 0);
   }
   SilentMonitor silent; // it is short, and a motion without it would not be whole
   PartMonitor part(silent, 0.0, 1.0);

@@ -22,6 +22,7 @@ void Act(const AirContext& run, const AirSampler& air, BodyTask task, int iterat
          BodyProblem& body, std::vector<Vec3>& path, Monitor& monitor)
 {
   FreeLanding landing;
+  int gone = -1;
   switch (task)
   {
     case BodyTask::Seek:
@@ -32,7 +33,8 @@ void Act(const AirContext& run, const AirSampler& air, BodyTask task, int iterat
       break;
     case BodyTask::Land:
       landing = FindFreeLanding(run.Around, body.Object(), air, path, body.FreeFrom());
-      if (landing.Frame >= 0)
+      gone = body.GoneFrom(path);
+      if (landing.Frame >= 0 && (gone < 0 || landing.Frame < gone))
       {
         body.LandFreely(landing.Frame, landing.Place);
         SolveDrift(body.In(air), air, run.Search.Weights, LandingIterations, path);

@@ -186,6 +186,8 @@ def parser() -> argparse.ArgumentParser:
     begin.add_argument("--arrive", type=times, metavar="TIMES", help="when they come to the first word or picture, default 7s; 4s..8s: one by one")
     begin.add_argument("--order", choices=("air", "left-to-right", "right-to-left", "top-down", "bottom-up", "outward", "inward", "random",
                                            "letters", "words", "lines"), help="who comes when in such a time; default air: least control")
+    begin.add_argument("--blow-away", choices=("left", "right", "back", "top"),
+                       help="a gust carries the last word or picture out by that side, which is open")
     begin.add_argument("--hold", type=duration, default=0, metavar="TIME", help="how long each word or picture stays, still: 1s, or frames")
     begin.set_defaults(run=run_new, is_guarded=False)
 
@@ -326,7 +328,7 @@ def run_new(options):
     from waft.scene.starting import new_scene
 
     scene = new_scene(options.scene, options.text, options.image, options.path, options.obstacle, options.shape, options.count,
-                      options.release, options.arrive, options.order, options.hold)
+                      options.release, options.arrive, options.order, options.hold, options.blow_away)
     name = options.scene if not options.scene.startswith("-") else f"./{options.scene}"
     say(f"{options.scene}: {len(scene.objects)} objects, {scene.frames} frames; fly it: waft synthesize {shlex.quote(name)} "
         "--output out --preview")

@@ -20,7 +20,7 @@ from waft.run.request import Path
 from waft.run.result import Run
 
 _ROW = {"Row": int, "Target": int, "ObjectId": int, "Frame": int, "Kind": str, "Residual": float, "Status": str, "Message": str}
-_LATER = ("TouchDown", "Settled", "LiftOff", "Arrival", "Release")  # columns of constraints.csv that older versions did not write
+_LATER = ("TouchDown", "Settled", "LiftOff", "Arrival", "Release", "Leave")  # columns of constraints.csv that older versions did not write
 _READ = ("poses.vtp", "objects.vtp", "shapes.vtm", "constraints.vtp", "constraints.csv")  # where they are
 
 

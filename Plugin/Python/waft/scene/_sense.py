@@ -36,7 +36,7 @@ def _rules(entry, definition):
         yield "top", "a point apart from base", entry["base"] == entry["top"]
     if definition == "vortex":
         yield "p2", "a pole apart from p1", entry["p1"] == entry["p2"]
-    if definition == "analyticWind":
+    if definition in ("analyticWind", "windFront"):
         yield "direction", "a direction that is not zero", not math.hypot(*entry["direction"]) > _SMALLEST
     if definition == "domain":
         corners = {**_CORNERS, **entry}

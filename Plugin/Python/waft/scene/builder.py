@@ -58,8 +58,9 @@ class Scene:
         self._set("set_time", "time", locals())
 
     @documented("domain")
-    def set_domain(self, min: Optional[Vector] = None, max: Optional[Vector] = None, *, comment: Optional[str] = None) -> None:
-        """The volume that objects stay in; its sides are walls."""
+    def set_domain(self, min: Optional[Vector] = None, max: Optional[Vector] = None, *, open: Optional[Iterable[str]] = None,
+                   comment: Optional[str] = None) -> None:
+        """The volume that objects stay in; its sides are walls, but for those that are open (x, y, top)."""
         self._set("set_domain", "domain", locals(), "ground")
 
     @documented("ground")
@@ -122,7 +123,7 @@ class Scene:
 
     @documented("positionConstraint")
     def add_position(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
-                     spread: Optional[str] = None, hold: Optional[int] = None, radius: Optional[float] = None,
+                     spread: Optional[str] = None, hold: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None, radius: Optional[float] = None,
                      facing: Optional[Mapping[str, Any]] = None, comment: Optional[str] = None) -> int:
         """An object is at a place at a frame. Returns the row, as all constraints do."""
         return self._add_mark("add_position", "position", locals())
@@ -147,8 +148,8 @@ class Scene:
 
     @documented("restConstraint")
     def add_rest(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
-                 spread: Optional[str] = None, until: Optional[int] = None, face_up: Optional[str] = None,
-                 comment: Optional[str] = None) -> int:
+                 spread: Optional[str] = None, until: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None,
+                 face_up: Optional[str] = None, comment: Optional[str] = None) -> int:
         """An object lies still on the first surface straight below a place, from a frame on."""
         return self._add_mark("add_rest", "rest", locals())
 
@@ -166,7 +167,7 @@ class Scene:
                      count: Optional[int] = None, font: Optional[Path] = None,
                      classes: Union[Iterable[str], Mapping[str, Vector], None] = None,
                      objects: Optional[Iterable[int]] = None, assign: Optional[str] = None,
-                     velocity: Union[str, Vector, None] = None, until: Optional[int] = None, hold: Optional[int] = None,
+                     velocity: Union[str, Vector, None] = None, until: Optional[int] = None, hold: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None,
                      radius: Optional[float] = None, facing: Optional[Mapping[str, Any]] = None, face_up: Optional[str] = None,
                      comment: Optional[str] = None) -> int:
         """Objects form points, a text, an image or the surface of a mesh at a frame (one of these four)."""
@@ -221,6 +222,12 @@ class Scene:
                  duration: float, *, comment: Optional[str] = None) -> None:
         """A gust: strength dir exp(-|x - center|^2 / 2 radius^2) exp(-(t - center_time)^2 / 2 duration^2)."""
         self._append("winds", "add_wind", "analyticWind", locals())
+
+    @documented("windFront")
+    def add_front(self, direction: Vector, speed: float, strength: float, *, width: Optional[float] = None,
+                  start_frame: Optional[int] = None, origin: Optional[Vector] = None, comment: Optional[str] = None) -> None:
+        """A gust whose edge travels, and lifts what lies to the end as it passes."""
+        self._append("winds", "add_front", "windFront", locals(), kind="front")
 
     @documented("windFile")
     def add_wind_file(self, file: Path, *, array: Optional[str] = None, up: Optional[str] = None,
@@ -329,9 +336,9 @@ class Scene:
         if count >= most:
             raise refusal(method, name, f"at most {most} of them in a scene", count + 1)
 
-    def _append(self, name, method, definition, given):
+    def _append(self, name, method, definition, given, **more):
         self._make_room(method, name, len(self._data.get(name, ())))
-        entry = self._with_files(method, definition, entry_of(method, definition, _given(given)))
+        entry = self._with_files(method, definition, entry_of(method, definition, _given(given), **more))
         self._data.setdefault(name, []).append(entry)
 
     def _with_files(self, method, definition, entry):

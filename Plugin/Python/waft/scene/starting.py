@@ -18,17 +18,21 @@ AFTER = 1.5  # s in which they part again
 SPEED = 0.5  # m/s along a curve: what drifts well
 HOLD = 0.15  # m about the points of a curve
 HIGH, WIDEST = 1.0, 3.2  # m, of a letter and of a word
+GUST, STRENGTH, GONE = 2.5, 6.0, 3.0  # m/s of the front's edge, m/s^2, and s in which it carries all out
+AWAY = {"left": (-1, 0, 0), "right": (1, 0, 0), "back": (0, 1, 0), "top": (0, 0, 1)}
 THIN = set("iIlj1.,:;'|!()[] ")
 MOST_POINTS = 100000  # of a curve
 PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp")
 SURFACES = (".vtp", ".obj", ".ply", ".stl", ".glb")
 
 
-def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60, release=None, arrive=None, order=None, hold=0):
+def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60, release=None, arrive=None, order=None,
+              hold=0, blow_away=None):
     """Writes a commented scene that flies: texts and images in the order given, formed one after the other by `count` bodies of a
     built-in shape; for each curve a body that follows it; obstacles from files. release and arrive: first and last frame between which
     bodies are let go, and come to the first form (windows of those after it are as long); order: in which they come; hold: frames for
-    which each form stays. Raises InputError where there is a file, of files and texts that no scene can use, and of times that do not fit."""
+    which each form stays; blow_away: the side by which a front carries the last one out. Raises InputError where there is a file, of
+    files and texts that no scene can use, and of times that do not fit."""
     check_target(path)
     if not str(path).endswith(".waft.json"):
         raise InputError(f"{path}: expected a name that ends with .waft.json")
@@ -49,8 +53,13 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
     if release is not None and release[1] >= first:
         raise InputError(f"--release: expected the last one before the first arrival at frame {first}, found frame {release[1]}")
     apart = end - first + hold + round(RATE * BETWEEN)  # from a form to the next
+    if blow_away:
+        hold = hold or RATE
+        apart = end - first + hold + round(RATE * BETWEEN)
     windows = [(first + apart * place, end + apart * place) for place in range(len(forms))]
     last = windows[-1][1] + hold if windows else 0
+    ends = last  # of the last form
+    last += round(RATE * GONE) if blow_away else 0
     last = max([last, *(len(course) - 1 for course in courses)]) + round(RATE * AFTER)
 
     scene = Scene(f"Made by waft new: {', '.join([*texts, *map(os.path.basename, (*images, *curves))])}"[:200],
@@ -58,7 +67,9 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
                           "waft synthesize THIS --output out --preview. See it again at each change: --watch. What is hard: "
                           "waft check THIS.")
     scene.set_time(last + 1, RATE, comment="more frames between marks: a calmer flight")
-    scene.set_domain((-2, -2, 0), (2, 2, 4), comment="the volume; its sides are walls")
+    sides = ["top", {"left": "x", "right": "x", "back": "y"}.get(blow_away)] if blow_away else []
+    scene.set_domain((-2, -2, 0), (2, 2, 4), open=[side for side in sides if side] or None,
+                     comment="the volume; its sides are walls, but for those that are open")
     scene.add_shape("body", shape, comment="leaf, maple, oak, willow, aspen, feather, down, petal, bubble or disc; size [m] and "
                                            "settlingSpeed [m/s] may be given, too")
     for file in obstacles:
@@ -77,9 +88,19 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
         width = min(WIDEST, HIGH * _breadth(form["text"])) if form.get("text") else 2.4
         scene.add_keyframe(_frames(window), **form, order=order, origin=(0, 0, 1.9), u=(1, 0, 0), v=(0, 0, 1), width=width, count=len(bodies),
                            objects=bodies if courses else None, **exact,
+                           leave=_leaving(blow_away, ends, width) if blow_away and form is forms[-1] else None,
                            comment="upright, seen from the front; velocity \"rest\", v [0, 1, 0] and a low origin: lying on the ground")
+    if blow_away and forms:
+        away = AWAY[blow_away]
+        scene.add_front(away, GUST, STRENGTH, width=8.0, start_frame=ends, origin=[-0.5 * width * part for part in away],
+                        comment="its edge is where the last form begins when the hold ends; what lies is lifted as it passes")
     scene.save(path, is_new=True)
     return scene
+
+
+def _leaving(side, frame, width):
+    """One after another, as the front passes."""
+    return {"side": side, "frame": {"from": frame, "to": frame + round(RATE * width / GUST)}, "order": {"direction": list(AWAY[side])}}
 
 
 def _frames(window):

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Open sides, who leaves by them or fades, and fronts: in the arrays of flights, in poses.csv and constraints.csv.
+
+    pvpython run.py test_leaving.py
+"""
+import csv
+import json
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+import waft
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+FRAMES = 150
+COARSE = {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 0, "Starts": 1}
+POINTS = [(0.4 * k - 0.8, 0.1 * k, 1.6) for k in range(5)]
+
+
+class LeavingTest(unittest.TestCase):
+    def fly(self, leave, front=True, **keyframe):
+        made = waft.Scene("Leaving", seed=4)
+        made.set_time(FRAMES)
+        made.set_domain(open=["x", "top"])
+        made.add_objects("petal", count=5, region={"min": (-1.2, -1.2, 1.4), "max": (1.2, 1.2, 2.2)})
+        made.add_keyframe(50, points=POINTS, leave=leave, **keyframe)
+        if front:
+            made.add_front((1, 0, 0), 3.0, 8.0, width=8.0, start_frame=62, origin=(-1, 0, 0))
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        run = waft.synthesize(made, output=pathlib.Path(folder.name) / "out", quality="preview", threads=1, _settings={"Assimilation": COARSE})
+        self.assertEqual([], [row["Message"] for row in run.report if row["Status"] != "met"])
+        return run
+
+    def leaves(self, run):
+        """By target the object's index and the frame from which it is gone, the same in all tables."""
+        with open(pathlib.Path(run.folder) / "constraints.csv", encoding="utf-8", newline="") as stream:
+            rows = {int(line["Target"]): (list(run.object_ids).index(int(line["ObjectId"])), int(line["Leave"])) for line in csv.DictReader(stream)}
+        tracks = run.output("assimilation").GetCellData()
+        for body, leave in rows.values():
+            self.assertEqual(leave, int(vtk_to_numpy(tracks.GetArray("Leave"))[body]))
+            end = leave if leave >= 0 else FRAMES
+            np.testing.assert_array_equal(np.arange(FRAMES) < end, run.present[body])
+            self.assertFalse(np.ptp(run.positions[body, end - 1:], axis=0).any())  # its place is its last
+            self.assertFalse(np.ptp(run.orientations[body, end - 1:], axis=0).any())
+        return [rows[target] for target in range(5)]
+
+    def test_a_front_carries_a_row_out_one_by_one(self):
+        run = self.fly({"side": "right", "frame": {"from": 62, "to": 78}, "order": "left-to-right"}, hold=12)
+        for target, (body, leave) in enumerate(self.leaves(run)):
+            begins = 62 + 4 * target
+            path = run.positions[body]
+            self.assertFalse(np.ptp(path[50:begins + 1], axis=0).any())  # held until it goes
+            self.assertTrue((path[begins + 1] != path[begins]).any())
+            self.assertGreater(leave, begins)
+            self.assertGreater(path[leave - 1, 0], 1.5)  # by the right
+        self.assertFalse([warning for warning in run.warnings if "still in the volume" in warning])
+
+    def test_a_share_fades_where_it_is(self):
+        run = self.fly({"frame": 70, "share": 0.6, "fade": 10}, front=False, hold=12)
+        found = self.leaves(run)
+        self.assertEqual([-1, -1, 80, 80, 80], sorted(leave for _, leave in found))
+        content = (pathlib.Path(run.folder) / "animation.glb").read_bytes()
+        channels = json.loads(content[20:20 + int.from_bytes(content[12:16], "little")])["animations"][0]["channels"]
+        self.assertEqual(3, sum(channel["target"]["path"] == "scale" for channel in channels))
+        with open(pathlib.Path(run.folder) / "poses.csv", encoding="utf-8", newline="") as stream:
+            present = [line["present"] == "1" for line in csv.DictReader(stream)]
+        np.testing.assert_array_equal(run.present.ravel(), present)
+
+    def test_what_lies_to_the_end_is_lifted_by_the_front(self):
+        run = self.fly(None, velocity="rest")
+        for row in run.report:
+            lies = 62 + 30 * (POINTS[int(row["Target"])][0] + 1.0) / 3.0  # until the edge is there
+            path = run.positions[list(run.object_ids).index(int(row["ObjectId"]))]
+            until = int(np.ceil(lies - 1e-9))
+            settled = int(row["Settled"])
+            self.assertLess(settled, until)
+            self.assertFalse(np.ptp(path[settled:until + 1], axis=0).any())
+            self.assertTrue(np.ptp(path[until:], axis=0).any())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
