@@ -46,6 +46,8 @@ public:
   WaftProperty(int, ObjectId);
   WaftProperty(int, Kind);
   WaftProperty(int, Frame);
+  WaftProperty(int, FrameFrom);
+  WaftProperty(int, Hold);
   WaftProperty(int, LastFrame);
   WaftProperty(int, Until);
   WaftVector(double, Value, 3);

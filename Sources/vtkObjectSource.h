@@ -55,6 +55,9 @@ public:
   WaftVector(double, AngularVelocity, 3);
   WaftProperty(int, ObjectId);
   WaftProperty(int, ShapeId);
+  WaftProperty(int, Release);
+  WaftProperty(int, LastRelease);
+  WaftFlag(Appears);
   WaftOpenProperty(int, ClassId);
   WaftOpenProperty(double, Mass);
   WaftOpenProperty(double, SettlingSpeed);

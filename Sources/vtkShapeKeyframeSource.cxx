@@ -138,9 +138,31 @@ waft::Result Drawing::Draw(vtkDataObject* input)
   return this->DrawSurface(input);
 }
 
+/// Of each target, where they come one after another; else nothing.
+std::vector<double> PartsOf(const Drawing& drawing)
+{
+  const waft::KeyframeOptions& options = drawing.Options;
+  if (options.FrameFrom < 0 || options.Order == 0)
+  {
+    return {};
+  }
+  const bool isDrawn = options.Shape != waft::DrawnShape::Surface;
+  const waft::Vec3 u = isDrawn ? options.U : waft::Vec3::UnitX();
+  const waft::Vec3 v = isDrawn ? options.V : waft::Vec3::UnitZ();
+  std::vector<waft::OrderedPlace> places;
+  for (const waft::Vec3& x : drawing.Positions)
+  {
+    places.push_back({ x.dot(u), x.dot(v), x });
+  }
+  return waft::PartsByPlace(static_cast<waft::PlaceOrder>(options.Order - 1), places, options.Seed,
+                            0);
+}
+
 std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
 {
   const waft::KeyframeOptions& options = drawing.Options;
+  const std::vector<double> parts = PartsOf(drawing);
+  const waft::FrameWindow window{ options.FrameFrom, options.Frame };
   const int last = options.NumberOfFrames - 1;
   std::vector<waft::Constraint> rows;
   for (std::size_t k = 0; k < drawing.Positions.size(); ++k)
@@ -150,6 +172,13 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
     row.Frame = options.Frame;
     row.Until = options.Rest ? std::max(options.Frame, options.Until < 0 ? last : options.Until)
                              : options.Frame;
+    row.FrameFrom = options.FrameFrom;
+    row.IsOpenWindow = options.FrameFrom >= 0 && parts.empty();
+    row.Hold = options.Rest ? 0 : options.Hold;
+    if (!parts.empty())
+    {
+      waft::SetArrival(waft::FrameAt(window, waft::TimeSpread::Even, parts[k]), row);
+    }
     row.Value = drawing.Positions[k];
     row.Radius = options.Radius;
     row.Row = -1;
@@ -159,6 +188,7 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
     options.AskOf(row);
     rows.push_back(row);
   }
+  waft::SetHolds(last, rows);
   return rows;
 }
 
@@ -282,6 +312,14 @@ int vtkShapeKeyframeSource::RequestData(vtkInformation*, vtkInformationVector** 
     if (!drawing.Remark.empty())
     {
       vtkWarningMacro(<< drawing.Remark);
+    }
+    if (options.FrameFrom >= options.Frame)
+    {
+      return waft::Fail(this, outputs, "FrameFrom: expected a frame before Frame, or -1");
+    }
+    if (options.Hold > 0 && !options.Rest && options.Radius > 0.0)
+    {
+      return waft::Fail(this, outputs, "Hold: expected 0 where Radius is above 0");
     }
     waft::ConstraintsToPolyData(RowsOf(drawing), info, impl.Kept);
     impl.Cache.MarkCurrent(this, inputs);

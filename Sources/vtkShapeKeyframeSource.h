@@ -62,6 +62,9 @@ public:
 
   WaftProperty(int, NumberOfTargets);
   WaftProperty(int, Frame);
+  WaftProperty(int, FrameFrom);
+  WaftProperty(int, Order);
+  WaftProperty(int, Hold);
   WaftFlag(Rest);
   WaftProperty(int, Until);
   WaftProperty(double, Radius);

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace
@@ -155,4 +156,34 @@ TEST(ShapeKeyframeSource, SaysWhatIsWrong)
                        "Input: expected a surface"));
   EXPECT_TRUE(contains(message([](auto* s) { s->SetShape(vtkShapeKeyframeSource::IMAGE); }),
                        "ImageFile: expected"));
+}
+
+TEST(ShapeKeyframeSource, HasWindowsOrdersAndHolds)
+{
+  vtkNew<vtkShapeKeyframeSource> source;
+  source->SetText("L");
+  source->SetNumberOfTargets(5);
+  source->SetRest(false);
+  source->SetFrame(150);
+  source->SetFrameFrom(110);
+  source->SetHold(20);
+  source->Update();
+  for (const waft::Constraint& row : Rows(source))
+  {
+    EXPECT_TRUE(row.IsOpenWindow); // the air chooses
+    EXPECT_EQ(110, row.FrameFrom);
+    EXPECT_EQ(170, waft::LastFrame(row));
+  }
+  source->SetOrder(2); // from right to left
+  source->Update();
+  std::vector<waft::Constraint> rows = Rows(source);
+  std::sort(rows.begin(), rows.end(),
+            [](const waft::Constraint& a, const waft::Constraint& b)
+            { return a.Value.x() > b.Value.x(); });
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    EXPECT_FALSE(rows[k].IsOpenWindow);
+    EXPECT_EQ(110 + 10 * static_cast<int>(k), rows[k].Frame);
+    EXPECT_EQ(170, waft::LastFrame(rows[k]));
+  }
 }

@@ -802,6 +802,32 @@ class Times(unittest.TestCase):
     def row(self, name):
         return next(row for row in self.read()["constraints"] if row["_object"] == name)
 
+    def test_times_of_flyers_and_targets(self):
+        self.scene.frame_end = 90
+        others = [scenes.flyer(f"Leaf {number}", scenes.leaf_mesh(), location=(0.2 * number, 0.3, 2.0)) for number in range(1, 4)]
+        for thing in (self.leaf, *others):
+            thing.waft.release, thing.waft.last_release = 5, 14
+        others[0].waft.appears = True
+        sheet = scenes.target("Sheet", scenes.sheet_mesh("Sheet", 0.1), 40, location=(0.0, 0.0, 1.0))
+        sheet.waft.first_frame, sheet.waft.order, sheet.waft.hold = 31, "outward", 10
+        sheet.waft.leave, sheet.waft.leave_frame, sheet.waft.last_leave = "right", 51, 61
+        box = next(thing for thing in self.scene.objects if thing.waft.role == "VOLUME")
+        box.waft.is_open = (True, False, True)
+        self.scene.objects["Mark"].waft.role = "NONE"
+        scene = self.read()
+        self.assertEqual(["x", "top"], scene["domain"]["open"])
+        self.assertEqual([4, 7, 10, 13], sorted(entry["release"] for entry in scene["objects"]))
+        self.assertEqual([("Leaf 1", True)], [(entry["_object"], entry["appears"]) for entry in scene["objects"] if "appears" in entry])
+        self.assertNotIn("orientation", next(entry for entry in scene["objects"] if "appears" in entry))
+        row = scene["constraints"][0]
+        self.assertEqual(({"from": 30, "to": 39}, "outward", 10), (row["frame"], row["order"], row["hold"]))
+        self.assertEqual({"frame": {"from": 50, "to": 60}, "order": "left-to-right", "side": "right"}, row["leave"])
+        for name, value, words in (("first_frame", 40, "earlier First Frame"), ("leave_frame", 39, "Leave Frame not before frame 40")):
+            before = getattr(sheet.waft, name)
+            setattr(sheet.waft, name, value)
+            self.assertIn(words, "; ".join(problem.text for problem in stage.Stage(bpy.context).problems))
+            setattr(sheet.waft, name, before)
+
     def test_forms_of_targets(self):
         folder = save("forms")
         sheet = scenes.target("Sheet", scenes.sheet_mesh("Sheet", 0.1), 35, location=(0.0, 0.0, 1.0))

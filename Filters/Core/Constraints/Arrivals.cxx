@@ -97,6 +97,70 @@ std::vector<double> PartsByChance(std::size_t count, std::uint64_t seed, std::ui
   return PartsByKey(keys);
 }
 
+namespace
+{
+constexpr PlaceOrder AllPlaceOrders[] = { PlaceOrder::LeftToRight, PlaceOrder::RightToLeft,
+                                          PlaceOrder::TopDown,     PlaceOrder::BottomUp,
+                                          PlaceOrder::Outward,     PlaceOrder::Inward,
+                                          PlaceOrder::Random };
+
+double KeyOf(PlaceOrder order, const OrderedPlace& place, const Vec3& middle)
+{
+  switch (order)
+  {
+    case PlaceOrder::LeftToRight:
+      return place.Across;
+    case PlaceOrder::RightToLeft:
+      return -place.Across;
+    case PlaceOrder::TopDown:
+      return -place.Up;
+    case PlaceOrder::BottomUp:
+      return place.Up;
+    case PlaceOrder::Outward:
+      return (place.Position - middle).norm();
+    case PlaceOrder::Inward:
+      return -(place.Position - middle).norm();
+    case PlaceOrder::Random: // by no key
+      break;
+  }
+  return 0.0;
+}
+} // namespace
+
+const char* ToString(PlaceOrder order)
+{
+  constexpr const char* names[] = { "left-to-right", "right-to-left", "top-down", "bottom-up",
+                                    "outward",       "inward",        "random" };
+  return names[static_cast<std::size_t>(order)];
+}
+
+const PlaceOrder* FindPlaceOrder(const std::string& name)
+{
+  const auto* found = std::find_if(std::begin(AllPlaceOrders), std::end(AllPlaceOrders),
+                                   [&](PlaceOrder order) { return name == ToString(order); });
+  return found == std::end(AllPlaceOrders) ? nullptr : found;
+}
+
+std::vector<double> PartsByPlace(PlaceOrder order, const std::vector<OrderedPlace>& places,
+                                 std::uint64_t seed, std::uint64_t stream)
+{
+  if (order == PlaceOrder::Random)
+  {
+    return PartsByChance(places.size(), seed, stream);
+  }
+  Vec3 middle = Vec3::Zero();
+  for (const OrderedPlace& place : places)
+  {
+    middle += place.Position / static_cast<double>(places.size());
+  }
+  std::vector<double> keys;
+  for (const OrderedPlace& place : places)
+  {
+    keys.push_back(KeyOf(order, place, middle));
+  }
+  return PartsByKey(keys);
+}
+
 std::vector<double> PartsByGroup(const std::vector<int>& groups, TimeSpread within)
 {
   std::map<int, std::size_t> sizes; // of each so far

@@ -48,6 +48,30 @@ std::vector<double> PartsByKey(const std::vector<double>& keys);
 std::vector<double> PartsByRank(const std::vector<int>& ranks);
 /// By chance, a permutation by the seed.
 std::vector<double> PartsByChance(std::size_t count, std::uint64_t seed, std::uint64_t stream);
+/// Where one of several is: along the width and the height of what they draw, and in space [m].
+struct OrderedPlace
+{
+  double Across = 0.0, Up = 0.0;
+  Vec3 Position = Vec3::Zero();
+};
+/// Who comes when by where they are.
+enum class PlaceOrder
+{
+  LeftToRight,
+  RightToLeft,
+  TopDown,
+  BottomUp,
+  Outward, // from the middle of all
+  Inward,
+  Random
+};
+inline constexpr int NumberOfPlaceOrders = 7;
+/// "left-to-right", ..., "random".
+const char* ToString(PlaceOrder order);
+/// The order of this name, or null.
+const PlaceOrder* FindPlaceOrder(const std::string& name);
+std::vector<double> PartsByPlace(PlaceOrder order, const std::vector<OrderedPlace>& places,
+                                 std::uint64_t seed, std::uint64_t stream);
 /// Group after group in the order of their numbers, each in an equal part of the way, in which its
 /// own are spread as they are listed. groups: of each its group.
 std::vector<double> PartsByGroup(const std::vector<int>& groups, TimeSpread within);

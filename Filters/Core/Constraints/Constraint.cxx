@@ -92,19 +92,23 @@ std::map<int, double> DerivativeStencil(int derivative, int frame, const Timelin
 
 void SetHolds(int lastFrame, std::vector<Constraint>& rows)
 {
-  std::map<int, int> last; // arrival, by Row
+  // Rows of one keyframe are told by their Group, others by their Row.
+  const auto keyOf = [](const Constraint& row)
+  { return std::pair(row.Group >= 0, row.Group >= 0 ? row.Group : row.Row); };
+  std::map<std::pair<bool, int>, int> last; // arrival
   for (const Constraint& row : rows)
   {
     if (row.Hold > 0)
     {
-      last[row.Row] = std::max(last[row.Row], row.Frame);
+      int& own = last[keyOf(row)];
+      own = std::max(own, row.Frame);
     }
   }
   for (Constraint& row : rows)
   {
     if (row.Hold > 0)
     {
-      const int held = std::min(last[row.Row] + row.Hold, lastFrame);
+      const int held = std::min(last[keyOf(row)] + row.Hold, lastFrame);
       row.Until = row.LeaveFrom >= 0 ? std::max(row.Frame, row.LeaveFrom) : held;
     }
   }

@@ -39,6 +39,22 @@ Result ConstraintOptions::CheckFrames(int count) const
   return Result::Ok();
 }
 
+Result ConstraintOptions::TakeTimes(const ConstraintTraits& kind, Constraint& row) const
+{
+  if (this->FrameFrom >= 0 && (!kind.IsPositional || this->FrameFrom >= this->Frame))
+  {
+    return Result::Error("FrameFrom: expected a frame before Frame, of a position or rest");
+  }
+  if (this->Hold > 0 && (kind.Kind != ConstraintKind::Position || this->Radius > 0.0))
+  {
+    return Result::Error("Hold: expected 0 but for a position without Radius");
+  }
+  row.FrameFrom = this->FrameFrom;
+  row.IsOpenWindow = this->FrameFrom >= 0;
+  row.Hold = this->Hold;
+  return Result::Ok();
+}
+
 Result ConstraintOptions::MakeRows(std::vector<Constraint>& rows) const
 {
   const int count = this->UseWaypoints ? static_cast<int>(this->Waypoints.size()) : 0;
@@ -59,6 +75,7 @@ Result ConstraintOptions::MakeRows(std::vector<Constraint>& rows) const
   row.Orientation = Quat(q[0], q[1], q[2], q[3]);
   row.Radius = this->Radius;
   row.Row = -1;
+  WAFT_RETURN_IF_FAILED(this->TakeTimes(kind, row));
   this->AskOf(row);
   if (IsAttitude(kind.Kind) && !(row.Orientation.norm() > 0.0))
   {
@@ -75,6 +92,7 @@ Result ConstraintOptions::MakeRows(std::vector<Constraint>& rows) const
       static_cast<int>(std::lround(fraction * (OrLast(this->LastFrame, last) - this->Frame)));
     own.Until = waft::LastFrame(own);
   }
+  SetHolds(last, rows);
   return Result::Ok();
 }
 

@@ -19,6 +19,8 @@ struct ConstraintOptions
   int ObjectId = 0;
   ConstraintKind Kind = ConstraintKind::Position;
   int Frame = 150;
+  int FrameFrom = -1;
+  int Hold = 0;
   int LastFrame = -1;
   int Until = -1;
   Vec3 Value{ 0.0, 0.0, 2.0 };
@@ -47,6 +49,15 @@ struct ConstraintOptions
     visit(OptionField{ "Frame", limits::UpTo(limits::MostInt), "",
                        "Frame of the constraint, or of the first waypoint." },
           of.Frame...);
+    visit(OptionField{ "FrameFrom",
+                       { -1, limits::MostInt },
+                       "",
+                       "First frame of a window that ends at Frame: the object comes at the frame "
+                       "of least control; -1: at Frame." },
+          of.FrameFrom...);
+    visit(OptionField{ "Hold", limits::UpTo(limits::MostInt), "",
+                       "Frames for which it stays there, still; not of rests." },
+          of.Hold...);
     visit(OptionField{ "LastFrame",
                        { -1, limits::MostInt },
                        "",
@@ -82,6 +93,7 @@ struct ConstraintOptions
 
 private:
   Result CheckFrames(int count) const;
+  Result TakeTimes(const ConstraintTraits& kind, Constraint& row) const;
 };
 
 } // namespace waft

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/SceneFrame.h"
+#include "Constraints/Arrivals.h"
 #include "Scene/FacingOptions.h"
 
 #include <array>
@@ -31,6 +32,9 @@ struct KeyframeOptions
   std::vector<std::array<double, 3>> ClassColors;
   int NumberOfTargets = 0;
   int Frame = 250;
+  int FrameFrom = -1;
+  int Order = 0; // 0: by the air, else 1 + PlaceOrder
+  int Hold = 0;
   bool Rest = true;
   int Until = -1;
   double Radius = 0.0;
@@ -75,6 +79,21 @@ struct KeyframeOptions
     visit(OptionField{ "Frame", limits::UpTo(limits::MostInt), "",
                        "Frame at which the objects are there." },
           of.Frame...);
+    visit(OptionField{ "FrameFrom",
+                       { -1, limits::MostInt },
+                       "",
+                       "First frame of a window that ends at Frame: each object comes at a frame "
+                       "of its own in it; -1: at Frame." },
+          of.FrameFrom...);
+    visit(OptionField{ "Order",
+                       { 0, NumberOfPlaceOrders },
+                       "",
+                       "Who comes when in a window: at the frames of least control (Air), or one "
+                       "after another." },
+          of.Order...);
+    visit(OptionField{ "Hold", limits::UpTo(limits::MostInt), "",
+                       "Frames for which all stay once the last has come, still; not of rests." },
+          of.Hold...);
     visit(FlagField("Rest", "The objects lie still on the first surface straight below their "
                             "targets; else they pass them."),
           of.Rest...);

@@ -3,6 +3,7 @@
 
 #include "Base/NumberText.h"
 #include "Base/ShapeMeasures.h"
+#include "Constraints/Arrivals.h"
 #include "Scene/BlueNoise.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace waft
 
 namespace
 {
+
+constexpr std::uint64_t ReleaseStream = 0x72656c65617365;
 
 Quat FromAngles(const Vec3& degrees)
 {
@@ -104,11 +107,21 @@ Result ObjectOptions::MakeObjects(std::vector<MotionObject>& objects) const
     return Result::Error("ObjectId: expected a number that " + std::to_string(positions.size()) +
                          " objects can be numbered from, found " + std::to_string(this->ObjectId));
   }
+  const FrameWindow releases{ this->Release, std::max(this->Release, this->LastRelease) };
+  if (this->Release >= 0 && releases.To >= this->NumberOfFrames)
+  {
+    return Result::Error("Release, LastRelease: expected at most " +
+                         std::to_string(this->NumberOfFrames - 1) +
+                         ", the last of NumberOfFrames, found " + std::to_string(releases.To));
+  }
+  const std::vector<double> parts = PartsByChance(positions.size(), this->Seed, ReleaseStream);
   objects.clear();
   object.ObjectId = std::max(0, this->ObjectId);
-  for (const Vec3& position : positions)
+  object.Appears = this->Appears ? 1 : 0;
+  for (std::size_t k = 0; k < positions.size(); ++k)
   {
-    object.Position = position;
+    object.Position = positions[k];
+    object.Release = this->Release < 0 ? -1 : FrameAt(releases, TimeSpread::Even, parts[k]);
     objects.push_back(object);
     ++object.ObjectId;
   }

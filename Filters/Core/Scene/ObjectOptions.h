@@ -33,6 +33,9 @@ struct ObjectOptions : SceneFrame
   std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 }; // w, x, y, z; not zero
   Vec3 Angles = Vec3::Zero();                              // degrees
   Vec3 AngularVelocity = Vec3::Zero();
+  int Release = -1;
+  int LastRelease = -1;
+  bool Appears = false;
   int ObjectId = -1;
   int ShapeId = 0;
   int ClassId = -1;
@@ -101,6 +104,21 @@ struct ObjectOptions : SceneFrame
     visit(OptionField{ "AngularVelocity", limits::Spin, "rad/s",
                        "Angular velocity at frame 0, in radians per second, world axes." },
           of.AngularVelocity...);
+    visit(OptionField{ "Release",
+                       { -1, limits::MostInt },
+                       "",
+                       "Frame until which an object hangs still at its start, of several the "
+                       "first; -1: they fly from the first frame." },
+          of.Release...);
+    visit(OptionField{ "LastRelease",
+                       { -1, limits::MostInt },
+                       "",
+                       "Of several objects, the last Release: they go one by one, by chance; -1: "
+                       "all at Release." },
+          of.LastRelease...);
+    visit(FlagField("Appears", "An object is not in the shot before its Release, and begins in "
+                               "flight."),
+          of.Appears...);
     visit(OptionField{ "ObjectId",
                        { -1, limits::MostInt },
                        "",

@@ -330,30 +330,15 @@ std::vector<double> SceneReader::ReadOrder(const SceneNode& node,
     }
     return PartsByGroup(groups, spread);
   }
-  if (word == "random")
+  if (const PlaceOrder* order = FindPlaceOrder(word))
   {
-    return PartsByChance(targets.size(), this->Out.Info.Seed,
-                         OrderStream + static_cast<std::uint64_t>(row));
-  }
-  if (word == "left-to-right" || word == "right-to-left")
-  {
-    const double sign = word == "left-to-right" ? 1.0 : -1.0;
-    return byKey([&](const Target& target) { return sign * target.Across; });
-  }
-  if (word == "bottom-up" || word == "top-down")
-  {
-    const double sign = word == "bottom-up" ? 1.0 : -1.0;
-    return byKey([&](const Target& target) { return sign * target.Up; });
-  }
-  if (word == "outward" || word == "inward")
-  {
-    Vec3 middle = Vec3::Zero();
+    std::vector<OrderedPlace> places;
     for (const Target& target : targets)
     {
-      middle += target.Position / static_cast<double>(targets.size());
+      places.push_back({ target.Across, target.Up, target.Position });
     }
-    const double sign = word == "outward" ? 1.0 : -1.0;
-    return byKey([&](const Target& target) { return sign * (target.Position - middle).norm(); });
+    return PartsByPlace(*order, places, this->Out.Info.Seed,
+                        OrderStream + static_cast<std::uint64_t>(row));
   }
   node.Fail(Orders);
 }

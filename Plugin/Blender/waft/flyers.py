@@ -19,6 +19,7 @@ def add_flyers(stage, things):
     if not things:
         stage.problems.error("nothing flies: select meshes and make them flyers")
     ids, bodies, shapes, made = {}, {}, {}, {}
+    releases = _releases(stage, things)
     for thing in things:
         problem = obstruction(thing) if thing.type == "MESH" else _no_mesh(thing)
         if problem:
@@ -44,13 +45,30 @@ def add_flyers(stage, things):
         ids[thing.name_full] = len(stage.flyers)
         bodies[thing.name_full] = body
         stage.flyers.append((thing.name_full, body))
-        stage.add("objects", thing, shape=name, position=position.tolist(), orientation=orientation.tolist())
+        turned = {} if thing.waft.appears else {"orientation": orientation.tolist()}  # else as in flight
+        stage.add("objects", thing, shape=name, position=position.tolist(), **turned, **releases.get(thing.name_full, {}))
     things = [thing for thing in things if thing.name_full in ids]
     for thing in things:
         _remark_on_use(stage, thing)
     _compare_starts(stage, things, bodies)
     _name_templates(stage, things)
     return ids, bodies
+
+
+def _releases(stage, things):
+    """{full name: fields of when it is let go}. Those with the same two frames go one by one between them."""
+    together = {}
+    for thing in things:
+        if thing.waft.release:
+            together.setdefault((thing.waft.release, max(thing.waft.last_release, thing.waft.release)), []).append(thing)
+    found = {}
+    for (first, last), members in sorted(together.items()):
+        ranks = np.random.default_rng([stage.scene["seed"], first, last]).permutation(len(members))
+        for thing, rank in zip(members, ranks.tolist()):
+            frame = stage.own_frame(thing, first + round((last - first) * rank / max(len(members) - 1, 1)))
+            if frame is not None:
+                found[thing.name_full] = {"release": frame, **({"appears": True} if thing.waft.appears else {})}
+    return found
 
 
 def _no_mesh(thing):
@@ -102,7 +120,7 @@ def _compare_starts(stage, things, bodies):
     for number, thing in enumerate(things):
         near = _TOGETHER * float(np.ptp(bodies[thing.name_full].points, axis=0).max()) / stage.unit
         first = min(other for _, other, _ in tree.find_range(starts[number], near))
-        if first < number:
+        if first < number and not (thing.waft.appears and thing.waft.release):
             stage.problems.warn(f"starts in the same place as {things[first].name_full}: move one of them", thing)
 
 

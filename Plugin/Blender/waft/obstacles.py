@@ -65,6 +65,9 @@ def add_volume(stage, things, has_ground):
     middle = matrix[:3, 3] * stage.unit
     low, high = middle - half, middle + half
     stage.scene["domain"] = {"min": low.tolist(), "max": high.tolist()}
+    sides = [side for side, is_open in zip(("x", "y", "top"), thing.waft.is_open) if is_open]
+    if sides:
+        stage.scene["domain"]["open"] = sides
     stage.scene["ground"] = {"enabled": has_ground, "height": float(low[2])}
     stage.low, stage.high = low, high
     stage.widest = float((high - low).max())

@@ -111,13 +111,14 @@ class WAFT_PT_object(_Panel, bpy.types.Panel):
             _draw_field(box, field)
             return
         box.prop(thing.waft, "role")
-        draw = {"FLYER": _draw_flyer, "MARK": _draw_mark, "TARGET": _draw_target}.get(thing.waft.role)
+        draw = {"FLYER": _draw_flyer, "MARK": _draw_mark, "TARGET": _draw_target, "VOLUME": _draw_volume}.get(thing.waft.role)
         if draw:
             draw(box.column(align=True), thing.waft)
 
 
 def _draw_flyer(layout, settings):
-    for name in ("preset", "settling_speed", "area_density", "thickness", "drag_coefficient"):
+    for name in ("preset", "settling_speed", "area_density", "thickness", "drag_coefficient", "release",
+                 *(("last_release", "appears") if settings.release else ())):
         layout.prop(settings, name)
 
 
@@ -127,8 +128,17 @@ def _draw_mark(layout, settings):
 
 
 def _draw_target(layout, settings):
-    for name in ("group", "frame", "radius", "kind", *_of_kind(settings), "count"):
+    for name in ("group", "frame", "first_frame", *(("order",) if settings.first_frame else ()), "radius", "kind", *_of_kind(settings),
+                 *(("hold",) if settings.kind != "REST" else ()), "leave",
+                 *(("leave_frame", "last_leave") if settings.leave != "STAY" else ()), "count"):
         layout.prop(settings, name)
+
+
+def _draw_volume(layout, settings):
+    row = layout.row(align=True)
+    row.label(text="Open")
+    for index, name in enumerate(("x", "y", "top")):
+        row.prop(settings, "is_open", index=index, text=name, toggle=True)
 
 
 def _of_kind(settings, is_turned=False):

@@ -31,6 +31,13 @@ def quality_of(word):
     return _FORMER.get(word, word)
 
 
+ORDERS = (("air", "Air", "At the frames of least control"), ("left-to-right", "Left to Right", "Along the width of the target"),
+          ("right-to-left", "Right to Left", ""), ("top-down", "Top Down", "Along its height"), ("bottom-up", "Bottom Up", ""),
+          ("outward", "Outward", "From the middle"), ("inward", "Inward", ""), ("random", "Random", "By the seed"))
+WAYS_OUT = (("STAY", "Stay", "They do not leave"), ("left", "Left", "Out by the open side at the lower end of x"),
+            ("right", "Right", "At the upper end of x"), ("front", "Front", "At the lower end of y"),
+            ("back", "Back", "At the upper end of y"), ("top", "Top", "By the top"), ("FADE", "Vanish", "Where they are"))
+
 # Objects that are library overrides keep values of their own, and takes.
 _OWN = {"LIBRARY_OVERRIDABLE"}
 
@@ -59,11 +66,25 @@ class ObjectSettings(bpy.types.PropertyGroup):
     thickness: FloatProperty(override=_OWN, name="Thickness", default=0.0004, min=1e-7, soft_max=0.01, precision=6,
                              description="In metres")
     drag_coefficient: FloatProperty(override=_OWN, name="Drag Coefficient", default=1.2, min=0.01, soft_max=3.0)
+    release: IntProperty(override=_OWN, name="Release", default=0, min=0,
+                         description="Frame until which it hangs still at its start; 0: it flies from the first")
+    last_release: IntProperty(override=_OWN, name="Last Release", default=0, min=0,
+                              description="Flyers with the same two frames are let go one by one between them, by chance; 0: at Release")
+    appears: BoolProperty(override=_OWN, name="Appears", description="It is hidden before its release, and begins in flight")
     # Marks and targets.
     kind: EnumProperty(override=_OWN, name="Kind", default="PASS", items=(
         ("PASS", "Pass", "Is there at the frame"),
         ("REST", "Rest", "Lands by the frame on the first surface straight below, and lies still")))
     frame: IntProperty(override=_OWN, name="Frame", default=1, description="Of the scene; keys on the location count instead")
+    first_frame: IntProperty(override=_OWN, name="First Frame", default=0, min=0,
+                             description="Of a window that ends at Frame, in which each flyer comes at a frame of its own; 0: all at Frame")
+    order: EnumProperty(override=_OWN, name="Order", items=ORDERS, default="air")
+    hold: IntProperty(override=_OWN, name="Hold", default=0, min=0, description="Frames for which flyers stay there, still, once all have come")
+    leave: EnumProperty(override=_OWN, name="Leave", items=WAYS_OUT, default="STAY")
+    leave_frame: IntProperty(override=_OWN, name="Leave Frame", default=0, min=0, description="At which they begin to go")
+    last_leave: IntProperty(override=_OWN, name="Last Leave", default=0, min=0,
+                            description="They go one by one up to this frame, from left to right; 0: all at Leave Frame")
+    is_open: BoolVectorProperty(override=_OWN, name="Open Sides", size=3, description="Flyers and air pass both ends of x, of y, the top")
     until: IntProperty(override=_OWN, name="Until", default=0, description="Last frame of a rest; 0: the scene's last")
     radius: FloatProperty(override=_OWN, name="Radius", default=0.0, min=0.0, subtype="DISTANCE", unit="LENGTH",
                           description="How far from it is near enough; 0: exactly there")

@@ -105,6 +105,42 @@ class Stage:
         until = self.own_frame(thing, thing.waft.until) if thing.waft.until else None
         return {"velocity": "rest"} if until is None else {"velocity": "rest", "until": until}
 
+    def times_of(self, thing, frame):
+        """The fields of a position or keyframe that say when, and what comes after; None, and a problem, where they say no frame. frame: of
+        the scene."""
+        settings, last = thing.waft, self.own_frame(thing, frame)
+        times = {"frame": last}
+        if last is not None and settings.first_frame:
+            first = self.own_frame(thing, settings.first_frame)
+            if first is None or first >= last:
+                if first is not None:
+                    self.problems.error(f"has a window from frame {settings.first_frame} to {frame}: expected an earlier First Frame", thing)
+                return None
+            times["frame"] = {"from": first, "to": last}
+            if settings.order != "air":
+                times["order"] = settings.order
+        if settings.hold and settings.kind != "REST":
+            times["hold"] = settings.hold
+        if last is None or not self._add_leave(thing, frame, times):
+            return None
+        return times
+
+    def _add_leave(self, thing, frame, times):
+        settings = thing.waft
+        if settings.leave == "STAY":
+            return True
+        if settings.leave_frame < frame:
+            self.problems.error(f"is left at frame {settings.leave_frame}: expected a Leave Frame not before frame {frame}, at which all have "
+                                "come", thing)
+            return False
+        first, last = (self.own_frame(thing, one) for one in (settings.leave_frame, max(settings.last_leave, settings.leave_frame)))
+        if first is None or last is None:
+            return False
+        times["leave"] = {"frame": first} if last == first else {"frame": {"from": first, "to": last}, "order": "left-to-right"}
+        if settings.leave != "FADE":
+            times["leave"]["side"] = settings.leave
+        return True
+
     def facing_of(self, thing, matrix, tolerance):
         """The field of a row that asks its flyers to face along the z axis of a matrix; none of one that asks no such thing."""
         if not thing.waft.is_facing or thing.waft.kind == "REST":

@@ -27,14 +27,14 @@ def add_targets(stage, things, ids):
         if count > len(group):
             stage.problems.error(f"has {count} places for {len(group)} flyers: expected no more places than flyers", thing)
             continue
-        frame = stage.own_frame(thing, settings.frame)
-        if frame is None:
+        times = stage.times_of(thing, settings.frame)
+        if times is None:
             continue
         stage.go_to(settings.frame)
         shape = _shape(stage, thing, count)
         if not shape:
             continue
-        entry = {"kind": "keyframe", "frame": frame, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing),
+        entry = {"kind": "keyframe", **times, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing),
                  **stage.facing_of(thing, stage.matrix(thing, settings.frame), settings.facing_tolerance)}
         if settings.group is not None:
             entry["objects"] = sorted(group)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace waft;
 
 TEST(ObjectOptions, ARowGoesFromEndToEnd)
@@ -76,4 +78,29 @@ TEST(ObjectOptions, NumbersBeyondTheLargestAreRefused)
   options.ObjectId = 2147483645;
   std::vector<MotionObject> objects;
   EXPECT_NE(options.MakeObjects(objects).Message().find("ObjectId"), std::string::npos);
+}
+
+TEST(ObjectOptions, ReleaseOneByOne)
+{
+  ObjectOptions options;
+  options.Layout = ObjectLayout::Row;
+  options.NumberOfObjects = 4;
+  std::vector<MotionObject> objects;
+  ASSERT_TRUE(static_cast<bool>(options.MakeObjects(objects)));
+  EXPECT_EQ(-1, objects[3].Release);
+  options.Release = 10;
+  options.LastRelease = 40;
+  options.Appears = true;
+  ASSERT_TRUE(static_cast<bool>(options.MakeObjects(objects)));
+  std::vector<int> frames;
+  for (const MotionObject& object : objects)
+  {
+    frames.push_back(object.Release);
+    EXPECT_EQ(object.Release, object.FirstPresent());
+  }
+  std::sort(frames.begin(), frames.end());
+  EXPECT_EQ((std::vector<int>{ 10, 20, 30, 40 }), frames);
+  options.LastRelease = 300;
+  EXPECT_NE(options.MakeObjects(objects).Message().find("Release, LastRelease: expected at most"),
+            std::string::npos);
 }
