@@ -605,7 +605,7 @@ class BadInput(unittest.TestCase):
         save("stopped")
         self.assertTrue(flying.begin(bpy.context), list(flying.found))
         run = flying.running.flight
-        until(lambda: "Simulating" in run.text)
+        until(lambda: "air" in run.text)
         bpy.ops.waft.stop()
         self.assertTrue(flying.end(bpy.context, outcome_of(run)), list(flying.found))
         self.assertTrue(self.scene.waft.takes[0].is_stopped)

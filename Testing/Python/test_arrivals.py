@@ -158,6 +158,35 @@ class ArrivalsTest(unittest.TestCase):
         found = waft.load(run.folder)
         np.testing.assert_array_equal(run.present, found.present)
 
+    def test_an_edit_of_times_moves_whom_it_touches(self):
+        def rows_of(hold=12, first=50, release=10):
+            made = waft.Scene("Edited", seed=4)
+            made.set_time(FRAMES)
+            made.add_objects("petal", count=4, region={"min": (-1.4, -1.4, 1.6), "max": (0, 1.4, 2.4)}, release=release)
+            made.add_objects("petal", count=4, region={"min": (0, -1.4, 1.6), "max": (1.4, 1.4, 2.4)})
+            made.add_keyframe({"from": first, "to": 70}, points=POINTS[:4], objects=[0, 1, 2, 3], hold=hold)
+            made.add_keyframe({"from": 55, "to": 70}, points=POINTS[4:], objects=[4, 5, 6, 7])
+            return made
+
+        def fly(made, **more):
+            folder = tempfile.TemporaryDirectory()
+            self.addCleanup(folder.cleanup)
+            return waft.synthesize(made, output=pathlib.Path(folder.name) / "out", quality="preview", threads=1,
+                                   _settings={"Assimilation": COARSE}, **more)
+
+        before = fly(rows_of(), keep=["state"])
+        frames = {(row["Row"], row["Target"]): int(row["Arrival"]) for row in before.report}
+        for change in ({"hold": 20}, {"first": 60}, {"release": 14}):
+            after = fly(rows_of(**change), edit_of=before.folder)
+            self.assertEqual({"met"}, {row["Status"] for row in after.report})
+            is_same = (after.positions == before.positions).all(axis=(1, 2))
+            np.testing.assert_array_equal([False] * 4 + [True] * 4, is_same)
+            for row in after.report:  # only in a window of its own that was moved is a frame chosen anew
+                if "first" in change and row["Row"] == "0":
+                    self.assertTrue(60 <= int(row["Arrival"]) <= 70)
+                else:
+                    self.assertEqual(frames[row["Row"], row["Target"]], int(row["Arrival"]))
+
     def test_held_they_stay_till_all_have_come(self):
         for quality in ("preview", "paper"):
             run = self.fly(scene("left-to-right", hold=12), quality)
