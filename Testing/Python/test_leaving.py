@@ -68,6 +68,23 @@ class LeavingTest(unittest.TestCase):
             present = [line["present"] == "1" for line in csv.DictReader(stream)]
         np.testing.assert_array_equal(run.present.ravel(), present)
 
+    def test_objects_without_marks_leave(self):
+        made = waft.Scene("Confetti", seed=4)
+        made.set_time(FRAMES)
+        made.set_domain(open=["x"])
+        made.add_objects("petal", positions=[(0.0, 0.0, 2.2)] * 6, release={"from": 0, "rate": 6.0}, appears=True,
+                         leave={"frame": {"from": 50, "to": 75}, "order": [0, 1, 2, 3, 4, 5], "fade": 5})
+        made.add_objects("petal", positions=[(1.0, 0.2 * k - 0.5, 2.4) for k in range(4)], leave={"frame": 30, "side": "right"})
+        with tempfile.TemporaryDirectory() as folder:
+            run = waft.synthesize(made, output=pathlib.Path(folder) / "out", quality="preview", threads=1, _settings={"Assimilation": COARSE})
+            leaves = vtk_to_numpy(run.output("assimilation").GetCellData().GetArray("Leave"))
+            self.assertEqual([55, 60, 65, 70, 75, 80], list(leaves[:6]))
+            for body in range(6, 10):
+                self.assertTrue(30 < leaves[body] < FRAMES)
+                self.assertGreater(run.positions[body, leaves[body] - 1, 0], 1.5)
+                self.assertLess(run.positions[body, :31, 0].max(), 2.0)  # inside until then
+            self.assertTrue((run.present.sum(axis=1) < FRAMES).all())
+
     def test_what_lies_to_the_end_is_lifted_by_the_front(self):
         run = self.fly(None, velocity="rest")
         for row in run.report:

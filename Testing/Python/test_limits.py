@@ -111,6 +111,7 @@ LISTS = {
                               "cylinder": {"kind": "cylinder", "base": [1, 1, 0.8], "top": [1, 1, 1.2], "radius": 0.2},
                               "mesh": {"kind": "mesh", "file": "box.obj"},
                               "sphere": {"kind": "sphere", "center": [1, 1, 1], "radius": 0.2}}.items()},
+    "/definitions/domain/properties/open": {"": lambda n: leaves(1) | {"domain": {"open": ["x", "y", "top"][:n]}}},
     "/properties/winds": {"": lambda n: {"winds": [{"direction": [1, 0, 0], "strength": 0.1, "center": p, "radius": 1, "centerTime": 3,
                                                     "duration": 1} for p in grid(n)]}},
     "/properties/vortices": {"": lambda n: {"vortices": [{"p1": p, "p2": [p[0], p[1], p[2] + 0.1], "strength": 0.1, "centerTime": 3,

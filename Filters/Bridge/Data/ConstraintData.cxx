@@ -3,6 +3,7 @@
 
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Columns.h"
+#include "Bridge/Data/Leavings.h"
 #include "Bridge/Data/SceneData.h"
 
 #include <vtkCellData.h>
@@ -154,9 +155,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
   AddColumn(arrays, names::Hold, constraints, &Constraint::Hold);
-  AddColumn(arrays, names::LeaveFrom, constraints, &Constraint::LeaveFrom);
-  AddColumn(arrays, names::LeaveAway, constraints, &Constraint::LeaveAway);
-  AddColumn(arrays, names::LeaveFade, constraints, &Constraint::LeaveFade);
+  AddLeavings(constraints, arrays);
   AddColumn(arrays, names::FrameFrom, constraints, &Constraint::FrameFrom);
   AddColumn(arrays, names::Arrival, constraints, ArrivalOf);
   AddColumn(arrays, names::Release, constraints, &Constraint::Release);
@@ -203,9 +202,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::Hold, &Constraint::Hold));
-  WAFT_RETURN_IF_FAILED(readOptional(names::LeaveFrom, &Constraint::LeaveFrom));
-  WAFT_RETURN_IF_FAILED(readOptional(names::LeaveAway, &Constraint::LeaveAway));
-  WAFT_RETURN_IF_FAILED(readOptional(names::LeaveFade, &Constraint::LeaveFade));
+  WAFT_RETURN_IF_FAILED(ReadLeavings(source, read));
   WAFT_RETURN_IF_FAILED(readOptional(names::FrameFrom, &Constraint::FrameFrom));
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Arrival, arrivals, &met));
   WAFT_RETURN_IF_FAILED(readOptional(names::Release, &Constraint::Release));

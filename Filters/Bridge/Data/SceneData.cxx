@@ -3,6 +3,7 @@
 
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Columns.h"
+#include "Bridge/Data/Leavings.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
@@ -133,6 +134,7 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
   AddColumn(arrays, names::Release, objects, &MotionObject::Release);
   AddColumn(arrays, names::Appears, objects,
             [](const MotionObject& object) { return static_cast<unsigned char>(object.Appears); });
+  AddLeavings(objects, arrays);
   SceneInfoToFieldData(info, data);
 }
 
@@ -197,6 +199,7 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   WAFT_RETURN_IF_FAILED(readOptional(names::RestHeight, &MotionObject::RestHeight));
   WAFT_RETURN_IF_FAILED(readOptional(names::Release, &MotionObject::Release));
   WAFT_RETURN_IF_FAILED(readOptional(names::Appears, &MotionObject::Appears));
+  WAFT_RETURN_IF_FAILED(ReadLeavings(source, read));
   WAFT_RETURN_IF_FAILED(NumberObjects(source, read));
   std::set<int> seen;
   for (std::size_t i = 0; i < read.size(); ++i)

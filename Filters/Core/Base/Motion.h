@@ -3,6 +3,7 @@
 // them is in Constraints/Constraint.h, their VTK form in Filters/Bridge.
 #pragma once
 
+#include "Base/Leaving.h"
 #include "Base/Mesh.h"
 #include "Base/Types.h"
 
@@ -41,6 +42,7 @@ struct MotionObject
   /// The frame until which it hangs still at its Position; -1: it flies from the first frame.
   int Release = -1;
   int Appears = 0; // 1: it is not in the shot before its Release, and begins in flight then
+  Leaving Goes;    // though no row says so
 
   /// The frame from which it flies.
   int Released() const { return this->Release > 0 ? this->Release : 0; }
@@ -67,6 +69,7 @@ struct MotionObject
     visit(of.RestHeight...);
     visit(of.Release...);
     visit(of.Appears...);
+    visit(of.Goes...);
   }
 };
 

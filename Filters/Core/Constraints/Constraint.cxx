@@ -109,7 +109,7 @@ void SetHolds(int lastFrame, std::vector<Constraint>& rows)
     if (row.Hold > 0)
     {
       const int held = std::min(last[keyOf(row)] + row.Hold, lastFrame);
-      row.Until = row.LeaveFrom >= 0 ? std::max(row.Frame, row.LeaveFrom) : held;
+      row.Until = row.Goes.From >= 0 ? std::max(row.Frame, row.Goes.From) : held;
     }
   }
 }

@@ -4,6 +4,7 @@
 // which name every kind: the compiler says where a new one has to be decided about.
 #pragma once
 
+#include "Base/Leaving.h"
 #include "Base/Types.h"
 
 #include <algorithm>
@@ -138,10 +139,8 @@ struct Constraint
   int Until = 0;                       // rest or hold lasts from Frame to this frame
   /// Of a position: frames for which it stays there once all of its Row have come (SetHolds).
   int Hold = 0;
-  int LeaveFrom = -1; // of a position or rest: its object goes from this frame on; -1: it does not
-  Vec3 LeaveAway = Vec3::Zero(); // unit, the way out of the volume; zero: it goes where it is
-  int LeaveFade = 0;             // frames in which it fades there
-  int FrameFrom = -1;            // where a window was asked for, its first frame
+  Leaving Goes;       // of a position or rest: how its object goes after it
+  int FrameFrom = -1; // where a window was asked for, its first frame
   /// It is met at one of the frames from FrameFrom to Frame, of which the air has chosen none yet.
   bool IsOpenWindow = false;
   int TouchDown = -1;        // of a rest: comes to its surface at this frame; -1: at Frame
@@ -173,9 +172,7 @@ struct Constraint
     visit(of.Leave...);
     visit(of.Until...);
     visit(of.Hold...);
-    visit(of.LeaveFrom...);
-    visit(of.LeaveAway...);
-    visit(of.LeaveFade...);
+    visit(of.Goes...);
     visit(of.FrameFrom...);
     visit(of.IsOpenWindow...);
     visit(of.TouchDown...);
@@ -226,7 +223,7 @@ inline void SetArrival(int frame, Constraint& row)
 }
 
 /// The Until of all that stay for a while: from the frame at which the last of their Row comes, or
-/// may come, at most to the last frame; of who leaves, LeaveFrom.
+/// may come, at most to the last frame; of who leaves, the frame at which it goes.
 void SetHolds(int lastFrame, std::vector<Constraint>& rows);
 
 /// The earliest frame at which a row may be met.

@@ -218,11 +218,19 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
   node.Take("appears", appears);
   object.Appears = appears ? 1 : 0;
   const std::vector<int> releases = this->ReadReleases(node, positions, static_cast<int>(index));
+  std::vector<Leaving> leavings(positions.size());
+  if (node.Has("leave"))
+  {
+    const int released = std::max(0, *std::max_element(releases.begin(), releases.end()));
+    leavings = this->ReadLeavings(node.At("leave", ""), StartsAsTargets(positions), released,
+                                  static_cast<int>(index));
+  }
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     object.ObjectId = this->FreeId(node);
     object.Position = positions[i];
     object.Release = releases[i];
+    object.Goes = leavings[i];
     this->AddObject(object);
   }
 }

@@ -104,6 +104,16 @@ SceneReader::RowTimes SceneReader::ReadTimes(const SceneNode& node,
   return times;
 }
 
+std::vector<SceneReader::Target> SceneReader::StartsAsTargets(const std::vector<Vec3>& positions)
+{
+  std::vector<Target> starts;
+  for (const Vec3& position : positions)
+  {
+    starts.push_back({ position, -1, position.x(), position.z(), {} });
+  }
+  return starts;
+}
+
 std::vector<int> SceneReader::ReadReleases(const SceneNode& node,
                                            const std::vector<Vec3>& positions, int entry) const
 {
@@ -156,14 +166,9 @@ std::vector<int> SceneReader::ReadReleases(const SceneNode& node,
                   " are released by frame " + std::to_string(last));
     }
   }
-  std::vector<Target> starts;
-  for (const Vec3& position : positions)
-  {
-    starts.push_back({ position, -1, position.x(), position.z(), {} });
-  }
   const std::vector<double> parts =
     node.Has("order") && !isRandom
-      ? this->ReadOrder(node.At("order", ""), starts, spread, entry)
+      ? this->ReadOrder(node.At("order", ""), StartsAsTargets(positions), spread, entry)
       : PartsByChance(count, this->Out.Info.Seed,
                       ReleaseStream + static_cast<std::uint64_t>(entry));
   std::vector<int> frames;
@@ -204,6 +209,60 @@ Vec3 SceneReader::ReadAway(const SceneNode& leave) const
   return sign * Vec3::Unit(axis);
 }
 
+std::vector<Leaving> SceneReader::ReadLeavings(const SceneNode& leave,
+                                               const std::vector<Target>& targets, int earliest,
+                                               int entry) const
+{
+  leave.CheckFields("leave");
+  const int last = this->Out.Info.Time.NumberOfFrames - 1;
+  const SceneNode frame = leave.At("frame", "a frame of the scene, or a window");
+  const bool isWindow = frame.Json().is_object();
+  const TimeSpread spread = ReadSpread(leave);
+  FrameWindow window;
+  const auto after = [&](const SceneNode& one)
+  { return static_cast<int>(one.Integer(earliest, last, "a frame not before the last arrival")); };
+  window.From = window.To = isWindow ? 0 : after(frame);
+  if (isWindow)
+  {
+    frame.CheckFields("window");
+    window.From = after(frame.At("from", "the frame at which the first goes"));
+    window.To = static_cast<int>(frame.At("to", "the frame at which the last goes")
+                                   .Integer(window.From, last, "a frame not before `from`"));
+  }
+  const std::uint64_t seed = this->Out.Info.Seed;
+  const auto stream = static_cast<std::uint64_t>(entry);
+  const std::vector<double> parts =
+    leave.Has("order") ? this->ReadOrder(leave.At("order", ""), targets, spread, entry)
+                       : PartsByChance(targets.size(), seed, LeaveStream + stream);
+  const std::vector<double> chances = PartsByChance(targets.size(), seed, ShareStream + stream);
+  const auto count = static_cast<double>(targets.size());
+  double share = 1.0;
+  leave.Take("share", share);
+  Leaving leaving;
+  leaving.Away = this->ReadAway(leave);
+  leaving.Fade = leave.Has("fade") ? this->Frame(leave.At("fade", "")) : 0;
+  std::vector<Leaving> all(targets.size());
+  for (std::size_t t = 0; t < targets.size(); ++t)
+  {
+    if (chances[t] * (count - 1.0) + 0.5 >= share * count)
+    {
+      continue; // it stays
+    }
+    int axis = 2;
+    (void)this->Out.Info.Bounds.WayOut(targets[t].Position, leaving.Away, &axis);
+    const bool isFloor = axis == 2 && leaving.Away.z() < 0.0;
+    if (!leaving.Away.isZero() &&
+        (isFloor || this->Out.Info.Open[static_cast<std::size_t>(axis)] == 0))
+    {
+      leave.FailWith("expected a way out by a side that is open (/domain/open), found " +
+                     std::string(isFloor ? "the floor" : OpenSides[axis]) + " closed");
+    }
+    all[t] = leaving;
+    all[t].From = FrameAt(window, spread, parts[t]);
+  }
+  return all;
+}
+
 void SceneReader::ReadLeave(const SceneNode& node, const std::vector<Target>& targets, int row,
                             std::size_t first)
 {
@@ -211,8 +270,6 @@ void SceneReader::ReadLeave(const SceneNode& node, const std::vector<Target>& ta
   {
     return;
   }
-  const SceneNode leave = node.At("leave", "");
-  leave.CheckFields("leave");
   std::vector<Constraint*> rows; // by target
   int arrives = 0;
   for (std::size_t i = first; i < this->Out.Constraints.size(); ++i)
@@ -224,55 +281,14 @@ void SceneReader::ReadLeave(const SceneNode& node, const std::vector<Target>& ta
       arrives = std::max(arrives, own.Frame);
     }
   }
-  const int last = this->Out.Info.Time.NumberOfFrames - 1;
-  const SceneNode frame = leave.At("frame", "a frame of the scene, or a window");
-  const bool isWindow = frame.Json().is_object();
-  const TimeSpread spread = ReadSpread(leave);
-  FrameWindow window;
-  const auto after = [&](const SceneNode& one, int least)
-  { return static_cast<int>(one.Integer(least, last, "a frame not before the last arrival")); };
-  window.From = window.To = isWindow ? 0 : after(frame, arrives);
-  if (isWindow)
-  {
-    frame.CheckFields("window");
-    window.From = after(frame.At("from", "the frame at which the first goes"), arrives);
-    window.To = static_cast<int>(frame.At("to", "the frame at which the last goes")
-                                   .Integer(window.From, last, "a frame not before `from`"));
-  }
-  const std::vector<double> parts =
-    leave.Has("order") ? this->ReadOrder(leave.At("order", ""), targets, spread, row)
-                       : PartsByChance(targets.size(), this->Out.Info.Seed,
-                                       LeaveStream + static_cast<std::uint64_t>(row));
-  double share = 1.0;
-  leave.Take("share", share);
-  const std::vector<double> chances = PartsByChance(targets.size(), this->Out.Info.Seed,
-                                                    ShareStream + static_cast<std::uint64_t>(row));
-  const Vec3 away = this->ReadAway(leave);
+  const std::vector<Leaving> leavings =
+    this->ReadLeavings(node.At("leave", ""), targets, arrives, row);
   for (std::size_t t = 0; t < rows.size(); ++t)
   {
-    if (chances[t] * static_cast<double>(targets.size() - 1) + 0.5 >=
-        share * static_cast<double>(targets.size()))
+    rows[t]->Goes = leavings[t];
+    if (IsRest(rows[t]->Kind) && leavings[t].From >= 0)
     {
-      continue;
-    }
-    int axis = 2;
-    (void)this->Out.Info.Bounds.WayOut(rows[t]->Value, away, &axis);
-    if (!away.isZero() &&
-        (this->Out.Info.Open[static_cast<std::size_t>(axis)] == 0 || (axis == 2 && away.z() < 0.0)))
-    {
-      leave.FailWith("expected a way out by a side that is open (/domain/open), found " +
-                     std::string(axis == 2 && away.z() < 0.0 ? "the floor" : OpenSides[axis]) +
-                     " closed");
-    }
-    rows[t]->LeaveFrom = FrameAt(window, spread, parts[t]);
-    rows[t]->LeaveAway = away;
-    if (leave.Has("fade"))
-    {
-      rows[t]->LeaveFade = this->Frame(leave.At("fade", ""));
-    }
-    if (IsRest(rows[t]->Kind))
-    {
-      rows[t]->Until = std::min(rows[t]->Until, rows[t]->LeaveFrom);
+      rows[t]->Until = std::min(rows[t]->Until, leavings[t].From);
     }
   }
 }

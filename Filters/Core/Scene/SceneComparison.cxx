@@ -71,6 +71,11 @@ bool IsSameShape(const Shape& a, const Shape& b)
          IsNear(a.Damping, b.Damping);
 }
 
+bool AreAlike(const Leaving& a, const Leaving& b)
+{
+  return a.From == b.From && IsNear(a.Away, b.Away) && a.Fade == b.Fade;
+}
+
 bool IsSameObject(const MotionObject& a, const MotionObject& b)
 {
   return a.ObjectId == b.ObjectId && a.ShapeId == b.ShapeId && a.ClassId == b.ClassId &&
@@ -80,7 +85,7 @@ bool IsSameObject(const MotionObject& a, const MotionObject& b)
          IsNear(a.AngularVelocity, b.AngularVelocity) && IsNear(a.Mass, b.Mass) &&
          IsNear(a.SettlingSpeed, b.SettlingSpeed) && IsNear(a.ClearanceRadius, b.ClearanceRadius) &&
          IsNear(a.RestHeight, b.RestHeight) && a.Released() == b.Released() &&
-         a.FirstPresent() == b.FirstPresent();
+         a.FirstPresent() == b.FirstPresent() && AreAlike(a.Goes, b.Goes);
 }
 
 bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
@@ -91,8 +96,7 @@ bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
          a.Side == b.Side && IsNear(a.Facing, b.Facing) &&
          (a.Facing.isZero() || IsNear(a.FacingTolerance, b.FacingTolerance)) &&
          IsNear(a.Radius, b.Radius) && (a.Until == b.Until || !IsLasting(a)) && a.Hold == b.Hold &&
-         a.LeaveFrom == b.LeaveFrom && IsNear(a.LeaveAway, b.LeaveAway) &&
-         a.LeaveFade == b.LeaveFade &&
+         AreAlike(a.Goes, b.Goes) &&
          (IsAttitude(a.Kind) ? IsNear(a.Orientation, b.Orientation) : IsNear(a.Value, b.Value));
 }
 

@@ -129,6 +129,7 @@ Fields OfObjects()
     SceneField("appears", Value::Flag,
                "it is not in the shot before its release, and begins in flight there")
       .Or("false"),
+    Leave(),
     Ordered("of several releases, who goes when").Or("\"random\""),
     SpreadOver("of releases, over the window"),
     { "velocity", Value::Vector, Velocity, "m/s, exact; default: as the air at its start" },

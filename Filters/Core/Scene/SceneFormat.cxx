@@ -11,6 +11,20 @@ SceneJson FormatVector(const Vec3& v)
   return SceneJson::array({ v.x(), v.y(), v.z() });
 }
 
+SceneJson FormatLeaving(const Leaving& leaving)
+{
+  SceneJson json = { { "frame", leaving.From } };
+  if (!leaving.Away.isZero())
+  {
+    json["direction"] = FormatVector(leaving.Away);
+  }
+  if (leaving.Fade > 0)
+  {
+    json["fade"] = leaving.Fade;
+  }
+  return json;
+}
+
 SceneJson FormatRotation(const Quat& q)
 {
   return SceneJson::array({ q.w(), q.x(), q.y(), q.z() });

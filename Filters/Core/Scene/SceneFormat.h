@@ -81,6 +81,8 @@ void RequireName(const std::string& name, const std::string& owner);
 
 SceneJson FormatVector(const Vec3& v);
 SceneJson FormatRotation(const Quat& q);
+/// Of an object that goes at one frame.
+SceneJson FormatLeaving(const Leaving& leaving);
 SceneJson FormatWind(const AnalyticWind& wind);
 
 } // namespace waft

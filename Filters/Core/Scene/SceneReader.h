@@ -119,9 +119,14 @@ private:
   /// Of the rows of an entry from the index `first` on, one a target.
   void ReadLeave(const SceneNode& node, const std::vector<Target>& targets, int row,
                  std::size_t first);
+  /// Of several, from a frame on.
+  std::vector<Leaving> ReadLeavings(const SceneNode& leave, const std::vector<Target>& targets,
+                                    int earliest, int entry) const;
   Vec3 ReadAway(const SceneNode& leave) const;
 
   // ReadTimes.cxx
+  /// In the order of x, as from left to right, and of z.
+  static std::vector<Target> StartsAsTargets(const std::vector<Vec3>& positions);
   /// Of the objects of an entry, -1 where they fly from the first frame.
   std::vector<int> ReadReleases(const SceneNode& node, const std::vector<Vec3>& positions,
                                 int entry) const;

@@ -103,25 +103,15 @@ void FormatStay(const Constraint& row, SceneJson& json)
   {
     json["hold"] = row.Hold;
   }
-  if (row.LeaveFrom >= 0)
+  if (row.Goes.From >= 0)
   {
-    SceneJson& leave = json["leave"];
-    leave["frame"] = row.LeaveFrom;
-    if (!row.LeaveAway.isZero())
-    {
-      leave["direction"] = FormatVector(row.LeaveAway);
-    }
-    if (row.LeaveFade > 0)
-    {
-      leave["fade"] = row.LeaveFade;
-    }
+    json["leave"] = FormatLeaving(row.Goes);
   }
 }
 
 bool StayAlike(const Constraint& a, const Constraint& b)
 {
-  return a.Hold == b.Hold && a.LeaveFrom == b.LeaveFrom && a.LeaveAway == b.LeaveAway &&
-         a.LeaveFade == b.LeaveFade;
+  return a.Hold == b.Hold && a.Goes == b.Goes;
 }
 
 /// Whether the targets of a keyframe may be rows of this kind.
@@ -197,7 +187,7 @@ bool SceneFormat::FormatPath(const Rows& rows, SceneJson& json) const
   for (const Constraint* row : rows)
   {
     if (row->Kind != ConstraintKind::Position || row->Group >= 0 || row->ClassId >= 0 ||
-        !row->Facing.isZero() || row->Hold > 0 || row->LeaveFrom >= 0 || row->ObjectId < 0 ||
+        !row->Facing.isZero() || row->Hold > 0 || row->Goes.From >= 0 || row->ObjectId < 0 ||
         row->ObjectId != first.ObjectId || row->Target != first.Target ||
         row->Radius != first.Radius || row->Frame != first.Frame + static_cast<int>(points.size()))
     {

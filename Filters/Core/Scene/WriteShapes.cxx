@@ -287,6 +287,10 @@ SceneJson SceneFormat::FormatObject(const MotionObject& object) const
       json["appears"] = true;
     }
   }
+  if (object.Goes.From >= 0)
+  {
+    json["leave"] = FormatLeaving(object.Goes);
+  }
   if (object.ClassId != shape.ClassId)
   {
     json["class"] = object.ClassId < 0 ? std::string()

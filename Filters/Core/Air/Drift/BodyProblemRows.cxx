@@ -81,21 +81,21 @@ void BodyProblem::AddDifference(const Constraint& row)
 // Beyond the side in time, in a ball so wide that it is as good as all that is there.
 void BodyProblem::AddLeaving(const Constraint& row)
 {
-  if (row.LeaveFrom < 0 || row.LeaveAway.isZero())
+  if (row.Goes.From < 0 || row.Goes.Away.isZero())
   {
     return;
   }
   const SceneInfo& scene = this->World.Scene;
   const double way =
-    scene.Bounds.WayOut(row.Value, row.LeaveAway) + 2.0 * this->Body.ClearanceRadius;
+    scene.Bounds.WayOut(row.Value, row.Goes.Away) + 2.0 * this->Body.ClearanceRadius;
   const double seconds = way / LeavingSpeed + LeavingDelay;
   const auto frame =
-    row.LeaveFrom + static_cast<int>(std::lround(seconds * scene.Time.FramesPerSecond));
+    row.Goes.From + static_cast<int>(std::lround(seconds * scene.Time.FramesPerSecond));
   if (frame < this->NumberOfFrames())
   {
     const double wide = WideBall * scene.Bounds.Size().maxCoeff();
     this->DriftRows.push_back(
-      { { { frame, 1.0 } }, row.Value + (way + wide) * row.LeaveAway, wide });
+      { { { frame, 1.0 } }, row.Value + (way + wide) * row.Goes.Away, wide });
   }
 }
 

@@ -107,16 +107,16 @@ int BodyProblem::FreeFrom() const
 const Constraint* BodyProblem::LeavingRow() const
 {
   const auto found = std::find_if(this->Wanted.begin(), this->Wanted.end(),
-                                  [](const Constraint& row) { return row.LeaveFrom >= 0; });
+                                  [](const Constraint& row) { return row.Goes.From >= 0; });
   return found != this->Wanted.end() ? &*found : nullptr;
 }
 
 int BodyProblem::GoneFrom(const std::vector<Vec3>& path) const
 {
   const Constraint* leaving = this->LeavingRow();
-  if (leaving != nullptr && leaving->LeaveAway.isZero())
+  if (leaving != nullptr && leaving->Goes.Away.isZero())
   {
-    const int gone = std::max(this->FreeFrom(), leaving->LeaveFrom + leaving->LeaveFade);
+    const int gone = std::max(this->FreeFrom(), leaving->Goes.From + leaving->Goes.Fade);
     return gone < this->NumberOfFrames() ? gone : -1;
   }
   const int last = this->World.Scene.IsOpen() ? this->NumberOfFrames() - 1 : -1;

@@ -143,7 +143,7 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
                    Describe(bodies.Problems[o], air, output.Tracks[o], output.Controls[o],
                             output.Free[o]);
                    const Constraint* leaving = bodies.Problems[o].LeavingRow();
-                   output.Tracks[o].Fade = leaving != nullptr ? leaving->LeaveFade : 0;
+                   output.Tracks[o].Fade = leaving != nullptr ? leaving->Goes.Fade : 0;
                    EndWhereGone(bodies.Problems[o].GoneFrom(bodies.Paths[o]), output.Tracks[o],
                                 output.Controls[o], output.Free[o]);
                  }

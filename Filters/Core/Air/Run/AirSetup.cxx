@@ -65,6 +65,17 @@ BodyProblem ProblemOf(const AirContext& run, const MotionObject& object,
     row.Row = row.Target = OfNoRow;
     rows.push_back(row);
   }
+  if (object.Goes.From >= 0) // as after a row that asks for nothing
+  {
+    Constraint row;
+    row.ObjectId = object.ObjectId;
+    row.Kind = ConstraintKind::Orientation;
+    row.Frame = object.Goes.From;
+    row.Value = object.Position;
+    row.Goes = object.Goes;
+    row.Row = row.Target = OfNoRow;
+    rows.push_back(row);
+  }
   return BodyProblem(run.Around, object, plan, std::move(rows));
 }
 

@@ -99,7 +99,8 @@ class Scene:
                    orientation: Optional[Quaternion] = None, angular_velocity: Optional[Vector] = None,
                    mass: Optional[float] = None, settling_speed: Optional[float] = None,
                    clearance_radius: Optional[float] = None, rest_height: Optional[float] = None, class_: Optional[str] = None,
-                   release: Optional[Releases] = None, appears: Optional[bool] = None, order: Optional[Order] = None, spread: Optional[str] = None,
+                   release: Optional[Releases] = None, appears: Optional[bool] = None,
+                   leave: Optional[Mapping[str, Any]] = None, order: Optional[Order] = None, spread: Optional[str] = None,
                    comment: Optional[str] = None) -> int:
         """One object; returns its id. `shape`: one that was added, or a built-in one."""
         entry = self._objects_entry("add_object", "singleObject", locals())
@@ -112,7 +113,8 @@ class Scene:
                     angular_velocity: Optional[Vector] = None, mass: Optional[float] = None,
                     settling_speed: Optional[float] = None, clearance_radius: Optional[float] = None,
                     rest_height: Optional[float] = None, class_: Optional[str] = None,
-                    release: Optional[Releases] = None, appears: Optional[bool] = None, order: Optional[Order] = None, spread: Optional[str] = None,
+                    release: Optional[Releases] = None, appears: Optional[bool] = None,
+                   leave: Optional[Mapping[str, Any]] = None, order: Optional[Order] = None, spread: Optional[str] = None,
                     comment: Optional[str] = None) -> List[int]:
         """Several objects: `count` spread in a `region` {"min": ..., "max": ...}, or one at each of `positions`. Returns their
         ids. `shape`: one that was added, or a built-in one."""
