@@ -296,6 +296,21 @@ class DefinitionTest(unittest.TestCase):
         self.assertEqual(list(np.flatnonzero(free[2])), [15])
         self.assertEqual(touches, [(0, 60), (2, 40)])
 
+    def test_a_hold_and_what_is_beside_it_is_no_free_flight(self):
+        rows = {"ObjectId": np.array([0]), "Frame": np.array([40]), "Kind": np.array([0]), "Until": np.array([60]),
+                "TouchDown": np.array([-1]), "LiftOff": np.array([-1])}
+        flying, free, _ = flight(rows, np.array([0]), 120, 30.0, np.array([10]))
+        self.assertEqual([*range(10, 40), *range(61, 120)], np.flatnonzero(flying[0]).tolist())
+        self.assertEqual([*range(75, 120)], np.flatnonzero(free[0]).tolist())  # 0.8 s before it is the start's still
+
+    def test_drifters_glide_as_bodies_that_are_released(self):
+        flying = np.arange(50) >= 20
+        glide = np.where(flying[:, None], (1.0, 0.0, -0.5), 0.0)[None]
+        body = Flights(np.zeros((1, 50, 3)), 10.0, flying[None], flying[None], np.array([0.5]), glide)
+        drifter = Flights(np.zeros((1, 30, 3)), 10.0, np.ones((1, 30), bool), np.ones((1, 30), bool), np.array([0.5]))
+        turned, = gliding([drifter], [body])
+        np.testing.assert_allclose(np.diff(turned.positions[0], axis=0), np.broadcast_to((0.1, 0.0, 0.0), (29, 3)), atol=1e-12)
+
     def test_a_jump_at_a_mark_is_seen_and_told_by_its_size(self):
         frame, jump = 60, 0.2
         folder = os.path.join(WORK, "marks")

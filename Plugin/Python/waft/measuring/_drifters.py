@@ -117,7 +117,8 @@ class Drifters:
 def gliding(drifters, airs):
     """The drifters turned as the bodies of these airs are: each goes the way besides that a body of nearly its settling speed glides,
     frame by frame. The same where nothing glides."""
-    bodies = [(flights, body) for flights in airs if flights.glide is not None for body in range(len(flights)) if _flown(flights, body)]
+    bodies = [(flights, body) for flights in airs if flights.glide is not None for body in range(len(flights))
+              if flights.flying[body].any()]
     if not bodies:
         return drifters
     speeds = np.array([flights.slip[body] for flights, body in bodies])
@@ -125,9 +126,11 @@ def gliding(drifters, airs):
 
 
 def _flown(flights, body):
-    """Frames from the start on in which it flies."""
+    """Its first frames of flight, after a release."""
     flying = flights.flying[body]
-    return int(np.argmin(flying)) if not flying.all() else len(flying)
+    begin = int(np.argmax(flying))
+    after = flying[begin:]
+    return slice(begin, begin + (len(after) if after.all() else int(np.argmin(after))))
 
 
 def _glided(drifters, bodies, speeds, random):
@@ -139,7 +142,7 @@ def _glided(drifters, bodies, speeds, random):
         joins = []
         while len(velocity) < frames:
             flights, body = bodies[near[random.randint(len(near))]]
-            own = flights.glide[body, :_flown(flights, body)] + [0.0, 0.0, flights.slip[body]]
+            own = flights.glide[body, _flown(flights, body)] + [0.0, 0.0, flights.slip[body]]
             joins.append(len(velocity))
             velocity = np.concatenate([velocity, own])
         between = 0.5 * (velocity[1:frames] + velocity[:frames - 1]) / drifters.rate

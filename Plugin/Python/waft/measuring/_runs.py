@@ -178,7 +178,10 @@ def flight(rows, ids, frames, rate, releases=None):
                 touches.append((index, min(touch, frames - 1)))
         placed = np.zeros(frames, bool)
         for row in own[rows["Kind"][own] == POSITION]:
-            placed[rows["Frame"][row]:max(rows["Frame"][row], rows["Until"][row]) + 1] = True
+            first, last = int(rows["Frame"][row]), max(int(rows["Frame"][row]), int(rows["Until"][row]))
+            placed[first:last + 1] = True
+            if last > first:  # it is held there: it comes to a stop before, and begins from rest after
+                free[index, max(first - end, 0):last + start] = False
         flying[index, 1:] &= ~(placed[1:] & placed[:-1])
         flying[index, :-1] &= ~(placed[1:] & placed[:-1])
         for frame in np.flatnonzero(placed):
