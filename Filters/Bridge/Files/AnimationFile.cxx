@@ -87,10 +87,14 @@ Result WriteAnimation(const std::string& fileName, vtkPolyData* data,
   {
     int shapeId = 0;
     WAFT_RETURN_IF_FAILED(shapeOf.Find(tracks[i].ObjectId, shapeId));
+    std::vector<float> sizes;
+    for (std::size_t k = 0; tracks[i].ComesOrGoes() && k < tracks[i].Positions.size(); ++k)
+    {
+      sizes.push_back(static_cast<float>(tracks[i].SizeAt(k)));
+    }
     animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId),
                          std::move(tracks[i].Positions), std::move(poses[i].Orientations),
-                         std::move(marks[tracks[i].ObjectId]), tracks[i].FirstPresent,
-                         tracks[i].Leave, tracks[i].Fade });
+                         std::move(marks[tracks[i].ObjectId]), std::move(sizes) });
     poses[i] = PoseTrack();
   }
   return WriteAnimationGlb(fileName, shapes, std::move(animated), info.Time.FramesPerSecond,

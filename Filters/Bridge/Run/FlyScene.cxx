@@ -576,9 +576,10 @@ Result FlyInto(const FlightRequest& request, const ChainInputs& inputs, FlightMo
     const FlightRequest flown = AsFlown(request, inputs.TheScene);
     if (flown.Options.Detail != request.Options.Detail)
     {
-      record.Warnings.push_back(std::string("quality ") + ToString(request.Options.Detail) +
-                                ": it knows no open sides, nor objects that appear: flown as " +
-                                ToString(flown.Options.Detail));
+      record.Warnings.push_back(
+        std::string("quality ") + ToString(request.Options.Detail) +
+        ": it knows no open sides, nor objects that appear or leave: flown as " +
+        ToString(flown.Options.Detail));
     }
     return Flying(flown, inputs, monitor, made, memory, record).Fly();
   }

@@ -28,9 +28,7 @@ struct AnimatedObject
   std::vector<Vec3> Positions;
   std::vector<Quat> Orientations; // body to world, unit
   std::vector<int> Marks = {};    // frames whose keys stay when keys are thinned
-  int FirstPresent = 0;           // frame from which it is seen
-  int Leave = -1;                 // from which it is not any more
-  int Fade = 0;                   // frames before that in which it fades
+  std::vector<float> Sizes = {};  // of its own, 0 to 1; empty: its own throughout
 };
 
 /// A point or a direction by the axes of glTF.

@@ -148,7 +148,7 @@ public:
     Elements<float> turns{ std::move(keys.Turns), TINYGLTF_TYPE_VEC4, BodyKeys::TurnWidth };
     this->AddChannel(number, "translation", times, this->AddAccessor(places, 0));
     this->AddChannel(number, "rotation", times, this->AddAccessor(turns, 0));
-    if (object.FirstPresent > 0 || object.Leave >= 0)
+    if (!object.Sizes.empty())
     {
       this->AddSizes(number, object);
     }
@@ -276,30 +276,22 @@ private:
     return static_cast<int>(this->Model.accessors.size()) - 1;
   }
 
-  /// A body that is not in the shot is nothing.
+  /// A key where the size becomes another.
   void AddSizes(int node, const AnimatedObject& object)
   {
     Elements<float> times;
     Elements<float> sizes{ {}, TINYGLTF_TYPE_VEC3, 3 };
-    const auto add = [&](int frame, float size)
+    for (std::size_t k = 0; k < object.Sizes.size(); ++k)
     {
-      times.Values.push_back(static_cast<float>(frame / this->FramesPerSecond));
-      sizes.Values.insert(sizes.Values.end(), 3, size);
-    };
-    const bool begins = object.FirstPresent <= 0;
-    add(0, begins ? 1.0F : 0.0F);
-    if (!begins)
-    {
-      add(object.FirstPresent, 1.0F);
-      this->Model.nodes[static_cast<std::size_t>(node)].scale = { 0.0, 0.0, 0.0 };
-    }
-    if (object.Leave > std::max(object.FirstPresent, 0))
-    {
-      for (int k = std::min(object.Fade, object.Leave - object.FirstPresent) - 1; k > 0; --k)
+      if (k == 0 || object.Sizes[k] != object.Sizes[k - 1])
       {
-        add(object.Leave - k, static_cast<float>(k) / static_cast<float>(object.Fade));
+        times.Values.push_back(static_cast<float>(static_cast<double>(k) / this->FramesPerSecond));
+        sizes.Values.insert(sizes.Values.end(), 3, object.Sizes[k]);
       }
-      add(object.Leave, 0.0F);
+    }
+    if (object.Sizes.front() <= 0.0F)
+    {
+      this->Model.nodes[static_cast<std::size_t>(node)].scale = { 0.0, 0.0, 0.0 };
     }
     const int instants = this->AddAccessor(times, 0);
     this->AddChannel(node, "scale", instants, this->AddAccessor(sizes, 0), "STEP");

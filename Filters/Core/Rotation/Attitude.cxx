@@ -59,7 +59,8 @@ public:
     {
       frame = this->FlyToNextEvent(frame);
     }
-    this->EndWhereGone();
+    this->KeepPose(this->Last, this->Last + 1,
+                   static_cast<int>(this->Marks.Frames.size())); // as seen last
     KeepAbove(this->Plan, this->Marks, this->Out);
     SetRatesWhereTurned(this->Marks.Changed, this->Plan.Time.Step(), this->Out.Poses);
     JoinSigns(this->Out.Poses.Orientations);
@@ -175,7 +176,8 @@ private:
     }
     else
     {
-      this->Await(first);
+      this->State.Frame = first;
+      this->KeepPose(first, 0, first); // before it is in the shot, as it begins
     }
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
@@ -185,32 +187,16 @@ private:
     }
   }
 
-  /// As it begins, before it is in the shot.
-  void Await(int first)
+  /// The pose of one frame at others at which it is not in the shot.
+  void KeepPose(int frame, int begin, int end)
   {
-    this->State.Frame = first;
-    for (int k = 0; k < first; ++k)
+    for (int k = begin; k < end; ++k)
     {
       this->Marks.Frames[static_cast<std::size_t>(k)].Freedom = PoseFreedom::Fixed;
-      this->Out.Poses.Orientations[k] = this->Out.Poses.Orientations[first];
+      this->Out.Poses.Orientations[k] = this->Out.Poses.Orientations[frame];
       if (!this->Out.Poses.Slips.empty())
       {
-        this->Out.Poses.Slips[k] = this->Out.Poses.Slips[first];
-      }
-    }
-  }
-
-  /// As it was seen last.
-  void EndWhereGone()
-  {
-    const auto end = static_cast<std::size_t>(this->Last);
-    for (std::size_t k = end + 1; k < this->Marks.Frames.size(); ++k)
-    {
-      this->Marks.Frames[k].Freedom = PoseFreedom::Fixed;
-      this->Out.Poses.Orientations[k] = this->Out.Poses.Orientations[end];
-      if (!this->Out.Poses.Slips.empty())
-      {
-        this->Out.Poses.Slips[k] = this->Out.Poses.Slips[end];
+        this->Out.Poses.Slips[k] = this->Out.Poses.Slips[frame];
       }
     }
   }

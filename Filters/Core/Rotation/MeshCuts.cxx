@@ -90,8 +90,7 @@ KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& r
           { f, IsRest(row.Kind) ? path[static_cast<std::size_t>(f)] : row.Value, RadiusOf(row) });
       }
     }
-    kept.AddBody(object.ClearanceRadius, object.SettlingSpeed, frames, std::move(marks),
-                 object.FirstPresent());
+    kept.AddBody(object.ClearanceRadius, object.SettlingSpeed, frames, std::move(marks));
   }
   return kept;
 }

@@ -14,8 +14,6 @@ namespace waft
 namespace
 {
 
-constexpr std::uint64_t ReleaseStream = 0x72656c65617365;
-
 Quat FromAngles(const Vec3& degrees)
 {
   const Vec3 angles = degrees * (EIGEN_PI / 180.0);

@@ -291,24 +291,6 @@ void SceneReader::AddGround()
   this->Out.Obstacles.push_back(std::move(ground));
 }
 
-namespace
-{
-/// One that is unit stays as it was written.
-Vec3 DirectionOf(const SceneNode& item)
-{
-  Vec3 direction = item.At("direction", "a direction [x, y, z]").Vector();
-  if (!(direction.norm() > 1e-12))
-  {
-    item.At("direction", "").Fail("a direction that is not zero");
-  }
-  if (std::abs(direction.norm() - 1.0) > 1e-15)
-  {
-    direction.normalize();
-  }
-  return direction;
-}
-} // namespace
-
 void SceneReader::ReadFront(const SceneNode& node)
 {
   const SceneNode kind = node.At("kind", "");
@@ -318,7 +300,7 @@ void SceneReader::ReadFront(const SceneNode& node)
   }
   node.CheckFields("windFront");
   WindFront front;
-  front.Direction = DirectionOf(node);
+  front.Direction = node.At("direction", "a direction [x, y, z]").Direction();
   front.Speed = node.At("speed", "a speed in m/s").Number();
   if (!(front.Speed > 0.0))
   {
@@ -399,7 +381,7 @@ void SceneReader::ReadWinds(const SceneNode& node)
     }
     item.CheckFields("analyticWind");
     AnalyticWind wind;
-    wind.Direction = DirectionOf(item);
+    wind.Direction = item.At("direction", "a direction [x, y, z]").Direction();
     wind.Strength = item.At("strength", "a strength in m/s^2").Number();
     wind.Center = item.At("center", "a point [x, y, z]").Vector();
     wind.Radius = item.At("radius", "a radius in metres").Number();

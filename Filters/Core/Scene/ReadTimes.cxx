@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr std::uint64_t OrderStream = 0x6f72646572;
-constexpr std::uint64_t ReleaseStream = 0x72656c65617365;
 constexpr std::uint64_t LeaveStream = 0x6c65617665;
 constexpr std::uint64_t ShareStream = 0x7368617265;
 /// Seen from the front, -y: axis and sign.
@@ -188,11 +187,7 @@ Vec3 SceneReader::ReadAway(const SceneNode& leave) const
     {
       direction.FailWith("expected either `side` or `direction`");
     }
-    if (!(direction.Vector().norm() > 1e-12))
-    {
-      direction.Fail("a direction that is not zero");
-    }
-    return direction.Vector().normalized();
+    return direction.Direction();
   }
   if (!leave.Has("side"))
   {

@@ -309,6 +309,17 @@ Vec3 SceneNode::Vector() const
   return { v[0], v[1], v[2] };
 }
 
+Vec3 SceneNode::Direction() const
+{
+  const Vec3 direction = this->Vector();
+  const double length = direction.norm();
+  if (!(length > 1e-12))
+  {
+    this->Fail("a direction that is not zero");
+  }
+  return std::abs(length - 1.0) > 1e-15 ? direction.normalized() : direction;
+}
+
 Quat SceneNode::Rotation() const
 {
   const std::vector<double> q = this->Numbers(4, "a quaternion [w, x, y, z]");

@@ -96,6 +96,8 @@ public:
   /// A text to be drawn, which may have line breaks.
   std::string Lines() const;
   Vec3 Vector() const;
+  /// Made unit; one that is unit stays as it was written.
+  Vec3 Direction() const;
   Quat Rotation() const;
 
 private:

@@ -10,6 +10,7 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <filesystem>
 
 using namespace waft;
@@ -288,7 +289,8 @@ TEST(ImageFile, OnlyImagesAreTaken)
 TEST(GltfAnimation, WhoComesIntoTheShotIsNothingBefore)
 {
   std::vector<AnimatedObject> objects = Objects();
-  objects[1].FirstPresent = 4;
+  objects[1].Sizes.assign(objects[1].Positions.size(), 1.0F);
+  std::fill_n(objects[1].Sizes.begin(), 4, 0.0F);
   tinygltf::Model model;
   ASSERT_NO_FATAL_FAILURE(WriteAndRead(Shapes(), objects, 2.0, model));
   const tinygltf::Animation& animation = model.animations[0];

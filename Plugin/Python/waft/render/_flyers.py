@@ -164,7 +164,7 @@ class Objects:
             is_present = self._motion.is_present(index, time)
             actors[0].SetVisibility(is_present)
             if not is_present:
-                for actor in actors:
+                for actor in actors[1:]:
                     actor.VisibilityOff()
                 continue
             place, quaternion = self._motion.pose(index, time)
