@@ -58,6 +58,7 @@ public:
   WaftProperty(int, Release);
   WaftProperty(int, LastRelease);
   WaftFlag(Appears);
+  WaftProperty(int, On);
   WaftOpenProperty(int, ClassId);
   WaftOpenProperty(double, Mass);
   WaftOpenProperty(double, SettlingSpeed);

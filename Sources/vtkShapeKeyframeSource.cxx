@@ -175,9 +175,11 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
     row.FrameFrom = options.FrameFrom;
     row.IsOpenWindow = options.FrameFrom >= 0 && parts.empty();
     row.Hold = options.Rest ? 0 : options.Hold;
+    row.On = options.On;
     if (!parts.empty())
     {
-      waft::SetArrival(waft::FrameAt(window, waft::TimeSpread::Even, parts[k]), row);
+      waft::SetArrival(waft::FrameAt(window, waft::TimeSpread::Even, parts[k]),
+                       drawing.Positions[k], row);
     }
     row.Value = drawing.Positions[k];
     row.Radius = options.Radius;

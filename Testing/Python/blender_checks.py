@@ -828,6 +828,24 @@ class Times(unittest.TestCase):
             self.assertIn(words, "; ".join(problem.text for problem in stage.Stage(bpy.context).problems))
             setattr(sheet.waft, name, before)
 
+    def test_what_is_on_an_obstacle(self):
+        ball = scenes.obstacle("Ball", scenes.box_mesh("Ball", 0.05), location=(0.0, 0.0, 1.0))
+        self.keyed(ball, "location", ball, f1=(0.0, 0.0, 1.0), f31=(0.3, 0.0, 1.0))
+        free = self.read()["objects"][0]["position"]
+        self.leaf.waft.release, self.leaf.waft.on = 11, ball
+        mark = self.scene.objects["Mark"]
+        mark.parent = ball  # which takes it along
+        mark.waft.frame = 21
+        scene = self.read()
+        number = [entry["_object"] for entry in scene["obstacles"]].index("Ball")
+        self.assertEqual(number, scene["objects"][0]["on"])
+        np.testing.assert_allclose(scene["objects"][0]["position"], np.subtract(free, (0.0, 0.0, 1.0)), atol=1e-6)
+        row = next(entry for entry in scene["constraints"] if entry["_object"] == "Mark")
+        self.assertEqual(number, row["on"])
+        np.testing.assert_allclose(row["value"], mark.location, atol=1e-6)  # a child's own location
+        mark.parent, mark.waft.on = None, self.leaf
+        self.assertIn("is on Leaf, which is no obstacle", "; ".join(problem.text for problem in stage.Stage(bpy.context).problems))
+
     def test_forms_of_targets(self):
         folder = save("forms")
         sheet = scenes.target("Sheet", scenes.sheet_mesh("Sheet", 0.1), 35, location=(0.0, 0.0, 1.0))

@@ -100,6 +100,7 @@ constexpr const char* Open = "Open";       // 1: bodies and air pass the ends of
 constexpr const char* Leave = "Leave";     // frame from which it is gone; -1: it stays
 constexpr const char* Appears = "Appears"; // 1: in the shot from its Release on
 constexpr const char* Present = "Present"; // by frame; 0: it is not in the shot
+constexpr const char* On = "On";           // the obstacle that it goes along with; -1: none
 constexpr const char* Arrival = "Arrival"; // -1: not chosen yet, or no row
 constexpr const char* Row = "Row";
 constexpr const char* Target = "Target";

@@ -156,6 +156,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
   AddColumn(arrays, names::Hold, constraints, &Constraint::Hold);
   AddLeavings(constraints, arrays);
+  AddColumn(arrays, names::On, constraints, &Constraint::On);
   AddColumn(arrays, names::FrameFrom, constraints, &Constraint::FrameFrom);
   AddColumn(arrays, names::Arrival, constraints, ArrivalOf);
   AddColumn(arrays, names::Release, constraints, &Constraint::Release);
@@ -203,6 +204,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::Hold, &Constraint::Hold));
   WAFT_RETURN_IF_FAILED(ReadLeavings(source, read));
+  WAFT_RETURN_IF_FAILED(readOptional(names::On, &Constraint::On));
   WAFT_RETURN_IF_FAILED(readOptional(names::FrameFrom, &Constraint::FrameFrom));
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Arrival, arrivals, &met));
   WAFT_RETURN_IF_FAILED(readOptional(names::Release, &Constraint::Release));

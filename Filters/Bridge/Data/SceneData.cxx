@@ -135,6 +135,7 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
   AddColumn(arrays, names::Appears, objects,
             [](const MotionObject& object) { return static_cast<unsigned char>(object.Appears); });
   AddLeavings(objects, arrays);
+  AddColumn(arrays, names::On, objects, &MotionObject::On);
   SceneInfoToFieldData(info, data);
 }
 
@@ -200,6 +201,7 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   WAFT_RETURN_IF_FAILED(readOptional(names::Release, &MotionObject::Release));
   WAFT_RETURN_IF_FAILED(readOptional(names::Appears, &MotionObject::Appears));
   WAFT_RETURN_IF_FAILED(ReadLeavings(source, read));
+  WAFT_RETURN_IF_FAILED(readOptional(names::On, &MotionObject::On));
   WAFT_RETURN_IF_FAILED(NumberObjects(source, read));
   std::set<int> seen;
   for (std::size_t i = 0; i < read.size(); ++i)

@@ -55,4 +55,27 @@ struct ObstacleMesh
   }
 };
 
+/// A place at a frame that goes along with an obstacle.
+struct CarriedPlace
+{
+  Vec3 Place = Vec3::Zero(); // m
+  double Frame = 0.0;
+  const ObstacleMesh* On = nullptr; // null: it stays where it is
+
+  bool IsMoving() const { return this->On != nullptr && this->On->IsMoving(); }
+  Vec3 At(double frame) const
+  {
+    return this->IsMoving()
+             ? Vec3(this->Place + (this->On->Offset(frame) - this->On->Offset(this->Frame)))
+             : this->Place;
+  }
+  /// [m/s], as by central differences.
+  Vec3 Velocity(double frame, double framesPerSecond) const
+  {
+    return this->IsMoving() ? Vec3((this->On->Offset(frame + 0.5) - this->On->Offset(frame - 0.5)) *
+                                   framesPerSecond)
+                            : Vec3(Vec3::Zero());
+  }
+};
+
 } // namespace waft

@@ -43,6 +43,7 @@ struct MotionObject
   int Release = -1;
   int Appears = 0; // 1: it is not in the shot before its Release, and begins in flight then
   Leaving Goes;    // though no row says so
+  int On = -1;     // the obstacle with which its Position goes along until its Release; -1: none
 
   /// The frame from which it flies.
   int Released() const { return this->Release > 0 ? this->Release : 0; }
@@ -70,6 +71,7 @@ struct MotionObject
     visit(of.Release...);
     visit(of.Appears...);
     visit(of.Goes...);
+    visit(of.On...);
   }
 };
 

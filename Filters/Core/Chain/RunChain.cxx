@@ -43,7 +43,7 @@ void ArriveAsPlanned(int lastFrame, PlanOutput& plan)
 {
   for (Constraint& row : plan.Constraints)
   {
-    SetArrival(row.Frame, row);
+    SetArrival(row.Frame, row.Value, row);
   }
   SetHolds(lastFrame, plan.Constraints);
   for (ReportRow& line : plan.Report)

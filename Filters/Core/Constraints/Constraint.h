@@ -140,6 +140,7 @@ struct Constraint
   /// Of a position: frames for which it stays there once all of its Row have come (SetHolds).
   int Hold = 0;
   Leaving Goes;       // of a position or rest: how its object goes after it
+  int On = -1;        // the obstacle with which a position or rest goes along; -1: none
   int FrameFrom = -1; // where a window was asked for, its first frame
   /// It is met at one of the frames from FrameFrom to Frame, of which the air has chosen none yet.
   bool IsOpenWindow = false;
@@ -173,6 +174,7 @@ struct Constraint
     visit(of.Until...);
     visit(of.Hold...);
     visit(of.Goes...);
+    visit(of.On...);
     visit(of.FrameFrom...);
     visit(of.IsOpenWindow...);
     visit(of.TouchDown...);
@@ -214,9 +216,10 @@ inline int ArrivalOf(const Constraint& row)
   return row.IsOpenWindow ? -1 : row.Frame;
 }
 
-/// It is met at this frame of its window.
-inline void SetArrival(int frame, Constraint& row)
+/// It is met at this frame of its window; place: its Value there.
+inline void SetArrival(int frame, const Vec3& place, Constraint& row)
 {
+  row.Value = place;
   row.Frame = frame;
   row.IsOpenWindow = false;
   row.Until = IsLasting(row) ? row.Until : frame;

@@ -157,12 +157,14 @@ private:
     }
     const double restHeight = this->Find(row.ObjectId)->RestHeight;
     const int last = std::min(LastFrame(row), this->Scene.Time.NumberOfFrames - 1);
-    (void)WantedPosition(row, row.Frame, restHeight, this->Obstacles, ball.Value); // judged before
+    CarriedPlace place;
+    (void)WantedPlace(row, restHeight, this->Obstacles, place); // judged before
     const std::vector<int>& frames = this->Frames.at(row.ObjectId);
     std::vector<ConstraintBall> balls;
     for (auto f = std::lower_bound(frames.begin(), frames.end(), row.Frame);
          f != frames.end() && *f <= last; ++f)
     {
+      ball.Value = place.At(*f);
       ball.Frame = *f;
       ball.Stencil = { { *f, 1.0 } };
       balls.push_back(ball);

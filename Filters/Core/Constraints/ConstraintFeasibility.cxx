@@ -48,6 +48,27 @@ std::string WhyPositionInfeasible(const Constraint& row, const MotionObject* obj
   return {};
 }
 
+/// Of a place that goes along with an obstacle, from a frame to another.
+std::string WhyRideInfeasible(const CarriedPlace& place, int first, int last,
+                              const ObstacleSet& obstacles, const Box& box)
+{
+  const double tolerance = 1e-9 * box.Width();
+  for (int f = first + 1; place.IsMoving() && f <= last; ++f)
+  {
+    const Vec3 x = place.At(f);
+    const bool isOutside = box.InnerDistance(x) < -tolerance;
+    SurfaceHit hit;
+    if (isOutside || obstacles.SignedDistance(x, f, 0.0, hit, place.On->ObstacleId) < -tolerance)
+    {
+      return "obstacle " + std::to_string(place.On->ObstacleId) + " carries it to " + PointText(x) +
+             " at frame " + std::to_string(f) + ", " +
+             (isOutside ? "outside the volume" + ExpectedInside(box)
+                        : "inside obstacle " + std::to_string(hit.ObstacleId));
+    }
+  }
+  return {};
+}
+
 std::string WhyRestInfeasible(const Constraint& row, const MotionObject* object,
                               const ObstacleSet& obstacles, const SceneInfo& scene)
 {
@@ -76,19 +97,15 @@ std::string WhyRestInfeasible(const Constraint& row, const MotionObject* object,
     return "the resting place " + PointText(centre) + " lies inside obstacle " +
            std::to_string(other.ObstacleId);
   }
-  for (const ObstacleMesh& obstacle : obstacles.Obstacles())
+  if (row.On >= 0 && hit.ObstacleId != row.On)
   {
-    const bool isBelow = obstacle.ObstacleId == hit.ObstacleId && obstacle.IsMoving();
-    for (int f = row.Frame + 1; isBelow && f <= row.Until; ++f)
-    {
-      if ((obstacle.Offset(f) - obstacle.Offset(row.Frame)).norm() > tolerance)
-      {
-        return "obstacle " + std::to_string(hit.ObstacleId) + " below " + PointText(row.Value) +
-               " moves at frame " + std::to_string(f) + ", expected a surface that stands still";
-      }
-    }
+    return "the first surface below " + PointText(row.Value) + " is of obstacle " +
+           std::to_string(hit.ObstacleId) + ", expected obstacle " + std::to_string(row.On) +
+           ", which it is to lie on";
   }
-  return {};
+  return WhyRideInfeasible(
+    { centre, static_cast<double>(row.Frame), obstacles.Find(hit.ObstacleId) }, row.Frame,
+    std::min(row.Until, scene.Time.NumberOfFrames - 1), obstacles, box);
 }
 
 } // namespace
@@ -120,10 +137,22 @@ std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
            (object->Hangs() ? " hangs at its start until frame " : " appears at frame ") +
            std::to_string(object->Release) + ", expected a later frame";
   }
+  if (row.On >= 0 && obstacles.Find(row.On) == nullptr)
+  {
+    return "there is no obstacle " + std::to_string(row.On) + " that it is on";
+  }
   switch (row.Kind)
   {
     case ConstraintKind::Position:
-      return WhyPositionInfeasible(row, object, windows, obstacles, scene);
+    {
+      const std::string why = WhyPositionInfeasible(row, object, windows, obstacles, scene);
+      CarriedPlace place;
+      (void)WantedPlace(row, 0.0, obstacles, place);
+      return !why.empty()
+               ? why
+               : WhyRideInfeasible(place, row.Frame, std::min(LastFrame(row), frames - 1),
+                                   obstacles, scene.Bounds);
+    }
     case ConstraintKind::Rest:
       return WhyRestInfeasible(row, object, obstacles, scene);
     case ConstraintKind::Velocity:
@@ -141,7 +170,14 @@ std::string WhyStartInfeasible(const MotionObject& object,
   Constraint start;
   start.ObjectId = object.ObjectId;
   start.Value = object.Position;
-  return WhyPositionInfeasible(start, &object, windows, obstacles, scene);
+  if (object.On >= 0 && obstacles.Find(object.On) == nullptr)
+  {
+    return "there is no obstacle " + std::to_string(object.On) + " that it is on";
+  }
+  const std::string why = WhyPositionInfeasible(start, &object, windows, obstacles, scene);
+  return !why.empty() ? why
+                      : WhyRideInfeasible(StartPlace(object, obstacles), 0, object.Released(),
+                                          obstacles, scene.Bounds);
 }
 
 std::vector<bool> FindUnassignable(const std::vector<Constraint>& constraints,

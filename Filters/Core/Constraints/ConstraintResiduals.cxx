@@ -120,14 +120,14 @@ double DistanceToPositions(const Constraint& row, const Motion& motion,
   double worst = 0.0;
   const int last = std::min(LastFrame(row), static_cast<int>(path.size()) - 1);
   const double restHeight = motion.Object ? motion.Object->RestHeight : 0.0;
-  Vec3 wanted; // the same at all its frames
-  if (!WantedPosition(row, row.Frame, restHeight, obstacles, wanted))
+  CarriedPlace wanted;
+  if (!WantedPlace(row, restHeight, obstacles, wanted))
   {
     return Nowhere;
   }
   for (int f = row.Frame; f <= last; ++f)
   {
-    const double distance = (path[f] - wanted).norm();
+    const double distance = (path[f] - wanted.At(f)).norm();
     worst = distance <= worst ? worst : distance; // keeps NaN
   }
   return worst;

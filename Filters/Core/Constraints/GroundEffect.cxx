@@ -35,7 +35,7 @@ constexpr double BearingNormal = 0.8; // least z of the normal, 37 degrees
 GroundEffect::GroundEffect(const ObstacleSet& obstacles, const std::vector<LandingWindow>& landings,
                            const MotionObject& body, double framesPerSecond, const AirAt& air) :
   Obstacles(&obstacles),
-  RestHeight(body.RestHeight),
+  FramesPerSecond(framesPerSecond), RestHeight(body.RestHeight),
   Height(2.0 / M_PI * LandingCushionTime * LawOf(body).SettlingSpeed()),
   Length(2.0 * body.ClearanceRadius)
 {
@@ -51,17 +51,22 @@ GroundEffect::GroundEffect(const ObstacleSet& obstacles, const std::vector<Landi
                             down - CushionBegins * framesPerSecond,
                             down,
                             (CushionBegins - CushionIsWhole) * framesPerSecond,
+                            landing.Point,
                             {} });
     if (!air || this->Length <= 0.0)
     {
       continue;
     }
-    Near rise{ landing.ObstacleId, static_cast<double>(landing.Until), 0.0, 0.0, {} };
+    Near rise{
+      landing.ObstacleId, static_cast<double>(landing.Until), 0.0, 0.0, landing.Point, {}
+    };
     const double frames = LiftTime * framesPerSecond;
     for (int f = 0; f <= static_cast<int>(frames) + 1; ++f)
     {
-      const Vec3 above = landing.Centre + this->Length * landing.Normal;
-      const double speeds = air(above, landing.Until + f).squaredNorm();
+      const int frame = landing.Until + f;
+      const Vec3 above = landing.Centre.At(frame) + this->Length * landing.Normal;
+      const Vec3 surface = landing.Centre.Velocity(frame, framesPerSecond);
+      const double speeds = (air(above, frame) - surface).squaredNorm();
       const double lift = std::min(MostLift, LiftRatio * speeds / (settling * settling));
       const double borne = 1.0 - SmoothStep(f / (BearingTime * framesPerSecond));
       rise.Lift.push_back((1.0 - SmoothStep(f / frames)) * (borne + (1.0 - borne) * lift));
@@ -124,6 +129,38 @@ double GroundEffect::Lifting(const Near& near, double height, double frame, doub
   const double r = std::max(0.0, height) / this->Length;
   slope = 6.0 * lift * r * (1.0 - r) / this->Length;
   return 1.0 - lift * (1.0 - CubicStep(r));
+}
+
+Vec3 GroundEffect::Carried(const Vec3& x, double frame, Mat3* gradient) const
+{
+  const Near* near = this->NearAt(frame);
+  if (near == nullptr || !near->Surface.IsMoving())
+  {
+    return Vec3::Zero();
+  }
+  Vec3 normal;
+  const double height = this->HeightAbove(*near, x, frame, normal);
+  double slope = 0.0, share = 0.0;
+  if (near->Lift.empty())
+  {
+    share = 1.0 - this->Landing(*near, height, frame, slope);
+    slope = -slope;
+  }
+  else if (height < this->Length)
+  {
+    const double after = (frame - near->First) / std::max(near->Last - near->First, 1.0);
+    const double r = std::max(0.0, height) / this->Length;
+    const double kept = 1.0 - SmoothStep(after);
+    share = kept * (1.0 - CubicStep(r));
+    slope = -kept * 6.0 * r * (1.0 - r) / this->Length;
+  }
+  const Vec3 velocity = near->Surface.Velocity(frame, this->FramesPerSecond);
+  const Vec3 along = velocity - velocity.dot(normal) * normal;
+  if (gradient != nullptr)
+  {
+    *gradient += slope * along * normal.transpose();
+  }
+  return share * along;
 }
 
 double GroundEffect::Bearing(const Vec3& x, double frame, Vec3* gradient) const

@@ -46,6 +46,11 @@ public:
   /// At a place [m] and frame, which may lie between two; gradient, unless null: by x [1/m].
   double Factor(const Vec3& x, double frame, Vec3* gradient = nullptr) const;
 
+  /// What it takes up, beside the air and its slip, of the velocity [m/s] of a moving surface that
+  /// it comes to or leaves: along it all at the height 0 (across it the air goes with it).
+  /// gradient, unless null: has that by x [1/s] added to it.
+  Vec3 Carried(const Vec3& x, double frame, Mat3* gradient = nullptr) const;
+
   /// Whether it lands there, low enough to be slowed.
   bool Brakes(const Vec3& x, double frame) const;
 
@@ -55,7 +60,8 @@ private:
     int ObstacleId = -1;
     double First = 0.0, Last = 0.0; // frames
     double Growth = 0.0;            // of the cushion, from First on [frames]
-    std::vector<double> Lift;       // s from First on, frame by frame; empty: it lands
+    CarriedPlace Surface;
+    std::vector<double> Lift; // s from First on, frame by frame; empty: it lands
   };
   const Near* NearAt(double frame) const;
   /// Over which x rests on the surface; 1e30 where it is too far to feel it.
@@ -66,6 +72,7 @@ private:
 
   const ObstacleSet* Obstacles = nullptr;
   std::vector<Near> Times; // in order of Last
+  double FramesPerSecond = 0.0;
   double RestHeight = 0.0;
   double Height = 0.0;  // b [m]
   double Length = 0.0;  // l [m]

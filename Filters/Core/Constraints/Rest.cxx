@@ -44,23 +44,41 @@ bool RestingPosition(const ObstacleSet& obstacles, const Vec3& value, double fra
   return true;
 }
 
-bool WantedPosition(const Constraint& row, int /*frame*/, double restHeight,
-                    const ObstacleSet& obstacles, Vec3& position)
+bool WantedPlace(const Constraint& row, double restHeight, const ObstacleSet& obstacles,
+                 CarriedPlace& place)
 {
+  place.Frame = row.Frame;
   SurfaceHit hit;
   switch (row.Kind)
   {
     case ConstraintKind::Position:
-      position = row.Value;
+      place.Place = row.Value;
+      place.On = row.On >= 0 ? obstacles.Find(row.On) : nullptr;
       return true;
-    case ConstraintKind::Rest: // on what stands still: the same at all its frames
-      return RestingPosition(obstacles, row.Value, row.Frame, restHeight, position, hit);
+    case ConstraintKind::Rest:
+      if (!RestingPosition(obstacles, row.Value, row.Frame, restHeight, place.Place, hit))
+      {
+        return false;
+      }
+      place.On = obstacles.Find(hit.ObstacleId);
+      return true;
     case ConstraintKind::Velocity:
     case ConstraintKind::Acceleration:
     case ConstraintKind::Orientation:
       break;
   }
   return false;
+}
+
+Vec3 ValueAt(const Constraint& row, int frame, const ObstacleSet& obstacles)
+{
+  const ObstacleMesh* on = row.On >= 0 ? obstacles.Find(row.On) : nullptr;
+  return CarriedPlace{ row.Value, static_cast<double>(row.Frame), on }.At(frame);
+}
+
+CarriedPlace StartPlace(const MotionObject& object, const ObstacleSet& obstacles)
+{
+  return { object.Position, 0.0, object.On >= 0 ? obstacles.Find(object.On) : nullptr };
 }
 
 std::vector<LandingWindow> LandingWindows(const MotionObject& object,
@@ -83,8 +101,9 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
     window.Until = LastFrame(row);
     window.First = window.Frame - framesPerSecond;
     window.Last = window.Until + framesPerSecond;
-    window.Centre = centre;
-    window.Point = hit.Point;
+    const ObstacleMesh* below = obstacles.Find(hit.ObstacleId);
+    window.Centre = { centre, static_cast<double>(row.Frame), below };
+    window.Point = { hit.Point, window.Centre.Frame, below };
     window.Normal = hit.Normal;
     window.Room = obstacles.SignedDistance(centre, row.Frame, 1e30, hit.ObstacleId);
     window.Row = row.Row;

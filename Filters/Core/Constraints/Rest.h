@@ -26,11 +26,15 @@ constexpr double LandingSlack = 1e-6;
 bool RestingPosition(const ObstacleSet& obstacles, const Vec3& value, double frame,
                      double restHeight, Vec3& centre, SurfaceHit& hit);
 
-/// Where a row of a positional kind asks the centre of an object to be at one of its frames, from
-/// Frame to LastFrame(row). False when it asks for no position: a rest with nothing below, or
-/// another kind.
-bool WantedPosition(const Constraint& row, int frame, double restHeight,
-                    const ObstacleSet& obstacles, Vec3& position);
+/// Where a row of a positional kind asks the centre of an object to be from Frame to
+/// LastFrame(row): a rest goes along with what it lies on, which points into `obstacles`. False
+/// when it asks for no position: a rest with nothing below, or another kind.
+bool WantedPlace(const Constraint& row, double restHeight, const ObstacleSet& obstacles,
+                 CarriedPlace& place);
+/// Value of a position or rest at another frame than Frame.
+Vec3 ValueAt(const Constraint& row, int frame, const ObstacleSet& obstacles);
+/// Where an object is until it is released.
+CarriedPlace StartPlace(const MotionObject& object, const ObstacleSet& obstacles);
 
 /// One rest row and the time around it in which its surface does not count as an obstacle: from one
 /// second before it lies there to one second after its Until.
@@ -41,8 +45,8 @@ struct LandingWindow
   int Until = 0;               // LastFrame of the row
   double First = 0.0;          // frames
   double Last = 0.0;           // frames
-  Vec3 Centre = Vec3::Zero();  // resting position of the centre
-  Vec3 Point = Vec3::Zero();   // of the surface, straight below
+  CarriedPlace Centre;         // resting position of the centre
+  CarriedPlace Point;          // of the surface, straight below
   Vec3 Normal = Vec3::UnitZ(); // of the surface there
   double Room = 1e30;          // m, from the centre to the nearest other surface
   int Row = 0;

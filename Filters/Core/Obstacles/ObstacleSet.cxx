@@ -184,6 +184,15 @@ const std::vector<ObstacleMesh>& ObstacleSet::Obstacles() const
   return this->Impl->Meshes;
 }
 
+const ObstacleMesh* ObstacleSet::Find(int obstacleId) const
+{
+  const std::vector<ObstacleMesh>& all = this->Impl->Meshes;
+  const auto found =
+    std::find_if(all.begin(), all.end(),
+                 [obstacleId](const ObstacleMesh& mesh) { return mesh.ObstacleId == obstacleId; });
+  return found != all.end() ? &*found : nullptr;
+}
+
 double ObstacleSet::SignedDistance(const Vec3& x, double frame, double limit, int ignored) const
 {
   double best = limit;

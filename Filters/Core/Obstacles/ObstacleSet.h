@@ -40,6 +40,8 @@ public:
   bool IsEmpty() const;
   bool HasMoving() const;
   const std::vector<ObstacleMesh>& Obstacles() const;
+  /// The one of an id, or null.
+  const ObstacleMesh* Find(int obstacleId) const;
 
   /// Signed distance to the nearest obstacle [m], negative inside; at most `limit` (a query that
   /// needs no more than the limit is cheaper). `ignored`: the id of an obstacle left out.

@@ -199,6 +199,27 @@ double SpanClock::Flown(double frame) const
   return flown;
 }
 
+std::vector<double> SpanClock::FramesOfFlight() const
+{
+  std::vector<double> frames;
+  double before = 0.0;
+  for (int k = 0; k <= this->Frames; ++k)
+  {
+    const double flown = this->Flown(k);
+    while (static_cast<double>(frames.size()) <= flown)
+    {
+      const double missing = flown - static_cast<double>(frames.size());
+      frames.push_back(flown > before ? k - missing / (flown - before) : k);
+    }
+    before = flown;
+  }
+  if (this->FlightFrames() > static_cast<double>(frames.size()) - 1.0)
+  {
+    frames.push_back(this->Frames);
+  }
+  return frames;
+}
+
 std::vector<Vec3> RetimePath(const std::vector<Vec3>& samples, const SpanClock& clock)
 {
   const auto count = static_cast<int>(samples.size());

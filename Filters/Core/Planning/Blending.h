@@ -70,6 +70,8 @@ struct SpanClock
   }
   /// Frames of flight done at a frame (0..Frames), of continuous second derivative.
   double Flown(double frame) const;
+  /// By frames of flight from 0 on, the frames at which they are done.
+  std::vector<double> FramesOfFlight() const;
 };
 
 /// The path at the frames 0..clock.Frames: the samples run through uniformly (natural cubic

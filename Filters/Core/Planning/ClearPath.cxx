@@ -22,7 +22,8 @@ void LayOnLandings(const ClearanceField& field, const WarpProblem& warp, double 
     const LandingWindow* landing = field.LandingAt(static_cast<double>(k));
     if (landing != nullptr && warp.IsFixed[k] == 0)
     {
-      const double height = (path[k] - landing->Centre).dot(landing->Normal);
+      const double height =
+        (path[k] - landing->Centre.At(static_cast<double>(k))).dot(landing->Normal);
       if (height < 0.0 && height > -PlannerNumbers::LaidOn * tolerance)
       {
         path[k] -= height * landing->Normal;

@@ -22,6 +22,22 @@ void ClearanceField::ForgetLanding(int frame)
                        this->Landings.end());
 }
 
+double ClearanceField::SceneFrame(double frame) const
+{
+  if (this->SceneFrames.empty() || frame <= this->FirstFrame)
+  {
+    return frame;
+  }
+  const double after = frame - this->FirstFrame;
+  const std::size_t last = this->SceneFrames.size() - 1;
+  const std::size_t low = std::min(static_cast<std::size_t>(after), last);
+  const std::size_t high = std::min(low + 1, last);
+  const double part = after - static_cast<double>(low);
+  return high > low
+           ? this->SceneFrames[low] + part * (this->SceneFrames[high] - this->SceneFrames[low])
+           : this->SceneFrames[low] + part;
+}
+
 const LandingWindow* ClearanceField::LandingAt(double frame) const
 {
   for (const LandingWindow& landing : this->Landings)
@@ -37,12 +53,14 @@ const LandingWindow* ClearanceField::LandingAt(double frame) const
 double ClearanceField::Distance(const Vec3& x, double frame, double limit) const
 {
   const LandingWindow* landing = this->LandingAt(frame);
+  const double now = this->SceneFrame(frame);
   double distance = std::min({ x.x() - this->Bounds.Min.x(), x.y() - this->Bounds.Min.y(),
                                this->Bounds.Max.x() - x.x(), this->Bounds.Max.y() - x.y(),
                                this->Bounds.Max.z() - x.z(), limit });
   if (landing != nullptr)
   {
-    distance = std::min(distance, (x - landing->Centre).dot(landing->Normal) + this->Rule.Radius);
+    distance =
+      std::min(distance, (x - landing->Centre.At(now)).dot(landing->Normal) + this->Rule.Radius);
   }
   else
   {
@@ -52,7 +70,7 @@ double ClearanceField::Distance(const Vec3& x, double frame, double limit) const
   {
     distance =
       std::min(distance, this->Obstacles->SignedDistance(
-                           x, frame, distance, landing != nullptr ? landing->ObstacleId : -1));
+                           x, now, distance, landing != nullptr ? landing->ObstacleId : -1));
   }
   return distance;
 }

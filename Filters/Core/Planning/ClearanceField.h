@@ -19,7 +19,12 @@ struct ClearanceField
   ClearanceRule Rule;
   std::vector<LandingWindow> Landings;
   std::vector<TightMark> TightMarks;
+  /// Where frames are those of a flight that brakes or launches, by such frames from the first one
+  /// on, the scene's, at which moving obstacles are looked at; empty: they are the scene's.
+  std::vector<double> SceneFrames;
+  int FirstFrame = 0;
 
+  double SceneFrame(double frame) const;
   /// The rest that begins at a frame will not be reached: its surface is one like others.
   void ForgetLanding(int frame);
   const LandingWindow* LandingAt(double frame) const;

@@ -15,9 +15,11 @@ namespace
 class ItineraryMaker
 {
 public:
-  ItineraryMaker(const MotionObject& object, const SceneInfo& scene) : Object(object), Scene(scene)
+  ItineraryMaker(const MotionObject& object, const ObstacleSet& obstacles, const SceneInfo& scene) :
+    Object(object), Obstacles(obstacles), Scene(scene)
   {
     this->Marks[0].Position = object.Position;
+    this->Marks[0].Place = StartPlace(object, obstacles);
     this->Marks[0].Until = object.Released();
     this->Marks[0].Halts = object.Hangs();
   }
@@ -30,7 +32,8 @@ public:
     mark.Until = std::clamp(row.Until, row.Frame, this->Scene.Time.NumberOfFrames - 1);
     mark.IsRest = true;
     mark.Constraint = index;
-    mark.Position = row.Frame == 0 ? this->Object.Position : landing.Centre;
+    mark.Place = landing.Centre;
+    mark.Position = row.Frame == 0 ? this->Object.Position : landing.Centre.Place;
     this->Result.Landings.push_back(landing);
     this->Marks[mark.Frame] = mark;
   }
@@ -54,6 +57,7 @@ public:
     mark.Frame = row.Frame;
     mark.Until = std::min(LastFrame(row), this->Scene.Time.NumberOfFrames - 1);
     mark.Halts = mark.Until > mark.Frame;
+    (void)WantedPlace(row, 0.0, this->Obstacles, mark.Place);
     mark.Position = row.Value;
     mark.Radius = row.Radius;
     mark.Constraint = index;
@@ -125,6 +129,7 @@ private:
   }
 
   const MotionObject& Object;
+  const ObstacleSet& Obstacles;
   const SceneInfo& Scene;
   std::map<int, Mark> Marks;  // by frame
   bool StartsAsAsked = false; // a row says how fast
@@ -179,7 +184,7 @@ Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint
   }
   const std::vector<LandingWindow> windows =
     LandingWindows(object, own, obstacles, scene.Time.FramesPerSecond);
-  ItineraryMaker maker(object, scene);
+  ItineraryMaker maker(object, obstacles, scene);
   for (const std::size_t i : rests)
   {
     for (const LandingWindow& window : windows)

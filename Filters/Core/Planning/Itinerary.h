@@ -18,6 +18,7 @@ struct Mark
   int Frame = 0;
   int Until = 0; // larger than Frame when the object lies still
   Vec3 Position = Vec3::Zero();
+  CarriedPlace Place; // of what it lies or hangs on, until Until
   double Radius = 0.0;
   bool IsRest = false;
   bool Halts = false; // asked to have no speed, though in the air

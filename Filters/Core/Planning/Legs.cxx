@@ -16,18 +16,21 @@ Stop StopOf(const Constraint& row, double restHeight, const ObstacleSet& obstacl
   Stop stop;
   stop.First = row.Frame;
   stop.Last = LastFrame(row);
-  stop.Value = stop.Position = row.Value;
-  (void)WantedPosition(row, row.Frame, restHeight, obstacles, stop.Position);
+  stop.Value = row.Value;
+  CarriedPlace place;
+  stop.Position = WantedPlace(row, restHeight, obstacles, place) ? place.Place : row.Value;
+  stop.Leaves = place.On != nullptr ? place.At(stop.Last) : stop.Position;
   stop.Radius = RadiusOf(row);
   stop.IsRest = IsRest(row.Kind);
   return stop;
 }
 
-Stop StartOf(const MotionObject& object)
+Stop StartOf(const MotionObject& object, const ObstacleSet& obstacles)
 {
   Stop start;
   start.Value = start.Position = object.Position;
   start.Last = object.Released();
+  start.Leaves = StartPlace(object, obstacles).At(start.Last);
   return start;
 }
 
@@ -47,7 +50,7 @@ double SpeedLimit::Reach(int frames, bool launches, bool brakes) const
 
 double SpeedLimit::Haste(const Stop& from, const Stop& to) const
 {
-  const double way = (to.Position - from.Position).norm() - from.Radius - to.Radius;
+  const double way = (to.Position - from.Leaves).norm() - from.Radius - to.Radius;
   const int frames = to.First - from.Last;
   if (way <= this->Tolerance)
   {

@@ -20,6 +20,7 @@ struct Stop
   int Last = 0;
   Vec3 Value = Vec3::Zero();    // as the row has it
   Vec3 Position = Vec3::Zero(); // where the object is then: of a rest on the surface
+  Vec3 Leaves = Vec3::Zero();   // where it is at its Last frame
   double Radius = 0.0;          // m
   bool IsRest = false;
 };
@@ -28,8 +29,8 @@ struct Stop
 /// restHeight: of the object's centre [m].
 Stop StopOf(const Constraint& row, double restHeight, const ObstacleSet& obstacles);
 
-/// Where an object is at frame 0.
-Stop StartOf(const MotionObject& object);
+/// Where an object is until its release.
+Stop StartOf(const MotionObject& object, const ObstacleSet& obstacles);
 
 /// How far an object may come: what a flight takes to rise from rest, and to come to it, counts
 /// half, unless it is so short that it is drawn.

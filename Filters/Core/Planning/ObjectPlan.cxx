@@ -2,6 +2,7 @@
 #include "Planning/ObjectPlan.h"
 
 #include "Base/BodyLaw.h"
+#include "Base/SmoothStep.h"
 #include "Planning/ObjectProgress.h"
 #include "Planning/PlannerNumbers.h"
 #include "Planning/Seams.h"
@@ -17,6 +18,33 @@ namespace waft
 
 namespace
 {
+
+/// All of the way of what it is braked to, and none of that before half of the braking; of what it
+/// launches from likewise. goal: null where there is none.
+std::vector<Vec3> RideOf(const SpanRequest& request, const Mark& start, const Mark* goal)
+{
+  std::vector<Vec3> ride;
+  const SpanClock& clock = request.Clock;
+  const bool leaves = clock.LaunchFrames > 0 && start.Place.IsMoving();
+  const bool comes = clock.BrakeFrames > 0 && goal != nullptr && goal->Place.IsMoving();
+  for (int k = 0; (leaves || comes) && k <= clock.Frames + 2; ++k)
+  {
+    const double frame = request.FirstFrame + k;
+    Vec3 way = Vec3::Zero();
+    if (leaves)
+    {
+      way += (1.0 - SmoothStep(2.0 * k / clock.LaunchFrames)) *
+             (start.Place.At(frame) - start.Place.At(start.Until));
+    }
+    if (comes)
+    {
+      const double braked = 1.0 - static_cast<double>(clock.Frames - k) / clock.BrakeFrames;
+      way += SmoothStep(2.0 * braked) * (goal->Place.At(frame) - goal->Place.At(goal->Frame));
+    }
+    ride.push_back(way);
+  }
+  return ride;
+}
 
 class ObjectPlanner
 {
@@ -154,6 +182,7 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame, int attempt)
   {
     request.Goal.Position = request.Start.Position;
   }
+  request.Ride = RideOf(request, start, hasGoal ? &marks[from + 1] : nullptr);
   request.HasContinuation = this->Now.HasContinuation && !launches;
   request.Continuation = this->Now.Continuation;
   if (request.FirstFrame >= 2)

@@ -49,10 +49,11 @@ void ObjectProgress::Miss(Mark& mark, const Vec3& position)
 
 void ObjectProgress::LieStill(const Mark& mark)
 {
-  const Vec3 position = this->Plan.Positions[mark.Frame];
+  const CarriedPlace place{ this->Plan.Positions[mark.Frame], static_cast<double>(mark.Frame),
+                            mark.Place.On };
   for (int frame = mark.Frame; frame <= mark.Until; ++frame)
   {
-    this->Fix(frame, position);
+    this->Fix(frame, place.At(frame));
   }
 }
 

@@ -358,7 +358,7 @@ std::vector<ReportRow> JudgeWithSpeeds(const std::vector<Constraint>& constraint
   for (auto& [objectId, lines] : CollectLines(constraints, byId, obstacles, report))
   {
     ObjectLines(std::move(lines), limit, scene.Bounds.Size().norm())
-      .Settle(StartOf(*byId[objectId]), givenUp);
+      .Settle(StartOf(*byId[objectId], obstacles), givenUp);
   }
   if (givenUp.empty())
   {

@@ -71,7 +71,7 @@ std::vector<std::vector<Stop>> FixedStops(const std::vector<MotionObject>& objec
   for (std::size_t o = 0; o < objects.size(); ++o)
   {
     indexOf[objects[o].ObjectId] = o;
-    stops[o].push_back(StartOf(objects[o]));
+    stops[o].push_back(StartOf(objects[o], obstacles));
   }
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
@@ -91,16 +91,18 @@ std::vector<std::vector<Stop>> FixedStops(const std::vector<MotionObject>& objec
   return stops;
 }
 
-/// The object that comes nearest in time to a target that no way leads to: of those that have
-/// nothing else to do, or of all when the target cannot be met anyway.
+/// The object that comes nearest in time, from its start, the first of its stops, to a target that
+/// no way leads to: of those that have nothing else to do, or of all when the target cannot be met
+/// anyway.
 std::size_t Nearest(const TargetRows& target, const std::vector<MotionObject>& objects,
+                    const std::vector<std::vector<Stop>>& stops,
                     const std::vector<unsigned char>& isIdle, const SpeedLimit& limit)
 {
   std::size_t nearest = NoObject;
   double least = 0.0;
   for (std::size_t o = 0; o < objects.size(); ++o)
   {
-    const double haste = limit.Haste(StartOf(objects[o]), target.Stops.First);
+    const double haste = limit.Haste(stops[o].front(), target.Stops.First);
     if (target.Stops.Suits(objects[o]) && (isIdle[o] != 0 || !target.IsFree) &&
         (nearest == NoObject || haste < least))
     {
@@ -160,7 +162,7 @@ void CoverRows(const std::vector<MotionObject>& objects, const std::vector<unsig
   {
     if (chosen[w] == NoObject)
     {
-      chosen[w] = Nearest(targets[w], objects, isIdle, limit);
+      chosen[w] = Nearest(targets[w], objects, stops, isIdle, limit);
     }
     if (chosen[w] == NoObject)
     {

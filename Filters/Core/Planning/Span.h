@@ -26,6 +26,14 @@ struct SpanRequest
   StyleHistory History;     // of the flights before
   std::vector<Vec3> Guide;  // a rough way from start to goal, or none
   double GuideWeight = 0.5; // 0..1
+  /// What it starts from or comes to rest on moves: frames 0..Clock.Frames + 2, how far the path is
+  /// from that to one that stands still [m]; or none.
+  std::vector<Vec3> Ride;
+
+  Vec3 RideAt(int frame) const
+  {
+    return this->Ride.empty() ? Vec3(Vec3::Zero()) : this->Ride[static_cast<std::size_t>(frame)];
+  }
 };
 
 /// Which sample of which piece flies at a frame.

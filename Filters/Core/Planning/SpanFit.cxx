@@ -135,8 +135,13 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
       static_cast<int>(std::lround(this->Library.Options().FramesPerSecond)), clock.Frames / 2);
     result.Halts = true;
   }
-  const std::vector<Vec3> path = RetimePath(BlendChain(this->Library, chain), clock);
-  const std::vector<Vec3> anchors = ChainTiming(this->Library, grown, clock).TreePositions();
+  std::vector<Vec3> path = RetimePath(BlendChain(this->Library, chain), clock);
+  std::vector<Vec3> anchors = ChainTiming(this->Library, grown, clock).TreePositions();
+  for (std::size_t k = 0; k < std::min(path.size(), this->Request.Ride.size()); ++k)
+  {
+    path[k] += this->Request.Ride[k];
+    anchors[k] += this->Request.Ride[k];
+  }
   SpanWarp span = LaySpan(this->Request, clock, path, anchors.back(), toGoal);
   std::vector<Vec3> positions = span.Frames();
   const double top = SpeedAllowance * this->Library.TopStep();

@@ -17,6 +17,12 @@ namespace waft
 namespace
 {
 
+/// As if it stood still where it is at a frame: what its motion adds is the Ride of the request.
+void StandAt(double frame, LandingWindow& landing)
+{
+  landing.Centre = { landing.Centre.At(frame), frame, nullptr };
+}
+
 class SpanPlanner
 {
 public:
@@ -73,17 +79,28 @@ private:
 ClearanceField SpanPlanner::FlightField(const ClearanceField& base) const
 {
   ClearanceField field = base;
+  if (field.Obstacles != nullptr && field.Obstacles->HasMoving())
+  {
+    field.SceneFrames = this->Request.Clock.FramesOfFlight();
+    for (double& frame : field.SceneFrames)
+    {
+      frame += this->Request.FirstFrame;
+    }
+    field.FirstFrame = this->Request.FirstFrame;
+  }
   const double first = this->Request.FirstFrame;
   const double flight = std::round(this->Request.Clock.FlightFrames());
   for (LandingWindow& landing : field.Landings)
   {
     if (this->Request.Clock.LaunchFrames > 0 && landing.First <= first)
     {
+      StandAt(first, landing);
       landing.Last = std::min(landing.Last, first + 0.5 * this->Request.Clock.LaunchFrames);
     }
     else if (this->Request.Clock.BrakeFrames > 0 &&
              landing.Last >= first + this->Request.Clock.Frames)
     {
+      StandAt(first + this->Request.Clock.Frames, landing);
       landing.First = std::max(first, first + flight - 0.5 * this->Request.Clock.BrakeFrames);
     }
   }

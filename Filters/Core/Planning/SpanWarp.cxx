@@ -59,7 +59,7 @@ SpanWarp LaySpan(const SpanRequest& request, const SpanClock& clock, const std::
   }
   for (int k = 0; k <= span.After && toGoal; ++k)
   {
-    fix(before + clock.Frames + k, goal);
+    fix(before + clock.Frames + k, goal + request.RideAt(clock.Frames + k));
   }
   if (!toGoal)
   {
@@ -98,7 +98,8 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
   const int a = frames - outer;
   const int b = frames - inner;
   span.Landing = a;
-  const double own = (positions[a].z() - positions[b].z()) / (b - a);
+  const double own =
+    ((positions[a] - positions[b]) - (request.RideAt(a) - request.RideAt(b))).z() / (b - a);
   // A goal that is near in time may be far below: the rest of the span must not have to dive.
   const double drop = request.Start.Position.z() - request.Goal.Position.z();
   const double affordable =
@@ -119,15 +120,17 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
     {
       const double u = static_cast<double>(left) / cushion;
       bend = u < 1.0 ? descent * 6.0 * u * (1.0 - u) / cushion : 0.0;
+      bend += (request.RideAt(k + 1) - 2.0 * request.RideAt(k) + request.RideAt(k - 1)).z();
     }
   }
   // Only the height is bound; along the ground the rows ask for what is there.
   LinearRow sinking{ { span.Before + a, span.Before + b },
                      { -1.0, 1.0 },
                      positions[b] - positions[a] };
-  sinking.Value.z() = -descent * (b - a);
+  sinking.Value.z() = -descent * (b - a) + (request.RideAt(b) - request.RideAt(a)).z();
   LinearRow height{ { span.Before + b }, { 1.0 }, positions[b] };
-  height.Value.z() = positions[frames].z() + descent * (inner - 0.5 * cushion);
+  height.Value.z() =
+    positions[frames].z() + descent * (inner - 0.5 * cushion) + request.RideAt(b).z();
   span.Problem.Rows.push_back(sinking);
   span.Problem.Rows.push_back(height);
   positions = span.Frames();

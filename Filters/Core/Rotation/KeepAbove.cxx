@@ -36,10 +36,7 @@ std::vector<Vec3> Spread(const std::vector<Vec3>& own, int reach, const FrameMar
 /// How far an obstacle goes from a frame to the next.
 Vec3 Moved(const ObstacleSet& obstacles, int obstacleId, int frame)
 {
-  const std::vector<ObstacleMesh>& all = obstacles.Obstacles();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [obstacleId](const ObstacleMesh& obstacle)
-                                  { return obstacle.ObstacleId == obstacleId; });
+  const ObstacleMesh* found = obstacles.Find(obstacleId);
   return found->Offset(frame + 1.0) - found->Offset(frame);
 }
 } // namespace

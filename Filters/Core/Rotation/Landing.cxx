@@ -64,7 +64,7 @@ Landing::Landing(const AttitudePlan& plan, const PlannedRest& rest, const Constr
   const std::vector<Vec3>& points = plan.Body->Mesh.Points;
   const Vec3& centre =
     plan.Path->Positions[static_cast<std::size_t>(std::clamp(rest.Frame, 0, last))];
-  const double height = (centre - rest.Point).dot(rest.Normal);
+  const double height = (centre - rest.Point.At(rest.Frame)).dot(rest.Normal);
   const auto rise = [&](double side)
   {
     const Quat level = this->Level(Quat::Identity(), side);

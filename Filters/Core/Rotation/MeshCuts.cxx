@@ -74,7 +74,7 @@ KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& r
     std::vector<HeldMark> marks;
     for (int f = 0; f <= std::min(object.Released(), frames - 1); ++f)
     {
-      marks.push_back({ f, path.front(), 0.0 });
+      marks.push_back({ f, path[static_cast<std::size_t>(f)], 0.0 });
     }
     for (const std::size_t place : places.Of(object.ObjectId))
     {
@@ -86,8 +86,9 @@ KeptDistances KeptOf(const PosedMotion& motion, const std::vector<Constraint>& r
       const int last = std::min(LastFrame(row), frames - 1);
       for (int f = std::max(FirstContact(row), 0); f <= last; ++f)
       {
+        const bool isExact = RadiusOf(row) <= 0.0;
         marks.push_back(
-          { f, IsRest(row.Kind) ? path[static_cast<std::size_t>(f)] : row.Value, RadiusOf(row) });
+          { f, isExact ? path[static_cast<std::size_t>(f)] : row.Value, RadiusOf(row) });
       }
     }
     kept.AddBody(object.ClearanceRadius, object.SettlingSpeed, frames, std::move(marks));

@@ -21,6 +21,7 @@ struct ConstraintOptions
   int Frame = 150;
   int FrameFrom = -1;
   int Hold = 0;
+  int On = -1;
   int LastFrame = -1;
   int Until = -1;
   Vec3 Value{ 0.0, 0.0, 2.0 };
@@ -58,6 +59,13 @@ struct ConstraintOptions
     visit(OptionField{ "Hold", limits::UpTo(limits::MostInt), "",
                        "Frames for which it stays there, still; not of rests." },
           of.Hold...);
+    visit(
+      OptionField{ "On",
+                   { -1, limits::MostInt },
+                   "",
+                   "ObstacleId of the obstacle that a position or rest goes along with from its "
+                   "frame on; -1: none." },
+      of.On...);
     visit(OptionField{ "LastFrame",
                        { -1, limits::MostInt },
                        "",

@@ -35,6 +35,7 @@ struct KeyframeOptions
   int FrameFrom = -1;
   int Order = 0; // 0: by the air, else 1 + PlaceOrder
   int Hold = 0;
+  int On = -1;
   bool Rest = true;
   int Until = -1;
   double Radius = 0.0;
@@ -94,6 +95,12 @@ struct KeyframeOptions
     visit(OptionField{ "Hold", limits::UpTo(limits::MostInt), "",
                        "Frames for which all stay once the last has come, still; not of rests." },
           of.Hold...);
+    visit(OptionField{ "On",
+                       { -1, limits::MostInt },
+                       "",
+                       "ObstacleId of the obstacle that targets go along with from their frame on; "
+                       "-1: none." },
+          of.On...);
     visit(FlagField("Rest", "The objects lie still on the first surface straight below their "
                             "targets; else they pass them."),
           of.Rest...);

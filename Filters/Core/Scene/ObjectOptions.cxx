@@ -116,6 +116,7 @@ Result ObjectOptions::MakeObjects(std::vector<MotionObject>& objects) const
   objects.clear();
   object.ObjectId = std::max(0, this->ObjectId);
   object.Appears = this->Appears ? 1 : 0;
+  object.On = this->On;
   for (std::size_t k = 0; k < positions.size(); ++k)
   {
     object.Position = positions[k];

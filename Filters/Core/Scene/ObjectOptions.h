@@ -36,6 +36,7 @@ struct ObjectOptions : SceneFrame
   int Release = -1;
   int LastRelease = -1;
   bool Appears = false;
+  int On = -1;
   int ObjectId = -1;
   int ShapeId = 0;
   int ClassId = -1;
@@ -119,6 +120,13 @@ struct ObjectOptions : SceneFrame
     visit(FlagField("Appears", "An object is not in the shot before its Release, and begins in "
                                "flight."),
           of.Appears...);
+    visit(
+      OptionField{ "On",
+                   { -1, limits::MostInt },
+                   "",
+                   "ObstacleId of the obstacle that the start goes along with until its Release; "
+                   "-1: none." },
+      of.On...);
     visit(OptionField{ "ObjectId",
                        { -1, limits::MostInt },
                        "",

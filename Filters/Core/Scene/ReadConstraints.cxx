@@ -110,6 +110,11 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
     times.Window.To = this->Frame(node.At("frame", "a frame of the scene"));
   }
   times.Set(0, constraint);
+  if (simple->IsPositional)
+  {
+    constraint.On = this->ReadOn(node);
+    constraint.Value += this->ReferenceAt(constraint.On, constraint.Frame);
+  }
   this->ReadHold(node, constraint);
   if (simple->Lasts)
   {
@@ -330,6 +335,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
                          std::to_string(targets.size()));
   }
   const RowTimes times = this->ReadTimes(node, targets, row);
+  constraint.On = this->ReadOn(node);
   const int until = rests ? this->ReadUntil(node, times) : 0;
   const std::size_t first = this->Out.Constraints.size();
   std::vector<int> assigned(targets.size(), -1);
@@ -348,6 +354,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
     constraint.ClassId = targets[t].ClassId;
     constraint.Value = targets[t].Position;
     times.Set(t, constraint);
+    constraint.Value += this->ReferenceAt(constraint.On, constraint.Frame);
     constraint.Until = rests ? until : constraint.Frame;
     this->Out.Constraints.push_back(constraint);
     if (velocity)
@@ -355,6 +362,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
       Constraint moving = constraint;
       moving.Kind = ConstraintKind::Velocity;
       moving.Value = *velocity;
+      moving.On = -1;
       moving.Radius = 0.0;
       moving.Facing = Vec3::Zero();
       this->Out.Constraints.push_back(moving);

@@ -205,6 +205,7 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
   }
   obstacle.ObstacleId = index;
   node.Take("id", obstacle.ObstacleId, "an id");
+  this->SetReference(obstacle.ObstacleId, reference);
   Result closed = RepairSurface(node.Pointer(), obstacle.Mesh);
   if (closed && (kind == "mesh" || IsNearlyRounded(obstacle.Mesh)))
   {
@@ -222,6 +223,27 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
     obstacle.Offsets.push_back(positions[frame] - reference);
   }
   return obstacle;
+}
+
+int SceneReader::ReadOn(const SceneNode& node) const
+{
+  int id = -1;
+  if (node.Take("on", id, "the id of an obstacle") && this->ReferenceOf.count(id) == 0)
+  {
+    node.At("on", "").Fail("the id of an obstacle of the list");
+  }
+  return id;
+}
+
+Vec3 SceneReader::ReferenceAt(int obstacleId, int frame) const
+{
+  const auto reference = this->ReferenceOf.find(obstacleId);
+  Vec3 place = reference != this->ReferenceOf.end() ? reference->second : Vec3(Vec3::Zero());
+  for (const ObstacleMesh& obstacle : this->Out.Obstacles)
+  {
+    place += obstacle.ObstacleId == obstacleId ? obstacle.Offset(frame) : Vec3(Vec3::Zero());
+  }
+  return place;
 }
 
 // Straight between two keys, still before the first and after the last.

@@ -196,10 +196,12 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
   object.VelocityGiven = node.Take("velocity", object.Velocity) ? 1 : 0;
   object.OrientationGiven = node.Take("orientation", object.Orientation) ? 1 : 0;
   node.Take("angularVelocity", object.AngularVelocity);
+  object.On = this->ReadOn(node);
+  const Vec3 origin = this->ReferenceAt(object.On, 0);
   std::vector<Vec3> positions;
   if (inRegion)
   {
-    positions = this->SpreadObjects(node, index, object.ClearanceRadius);
+    positions = this->SpreadObjects(node, index, origin, object.ClearanceRadius);
   }
   else if (atPositions)
   {
@@ -207,12 +209,12 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
     const std::size_t count = list.Size("a list of points");
     for (std::size_t i = 0; i < count; ++i)
     {
-      positions.push_back(list.Item(i).Vector());
+      positions.push_back(origin + list.Item(i).Vector());
     }
   }
   else
   {
-    positions.push_back(node.At("position", "a point [x, y, z]").Vector());
+    positions.push_back(origin + node.At("position", "a point [x, y, z]").Vector());
   }
   bool appears = false;
   node.Take("appears", appears);
@@ -255,15 +257,15 @@ void SceneReader::KeepObjects(std::size_t count)
 }
 
 std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t entry,
-                                             double radius)
+                                             const Vec3& origin, double radius)
 {
   const auto count = static_cast<std::size_t>(
     node.At("count", "a number of objects").Integer("a number of objects"));
   const SceneNode regionNode = node.At("region", "a region {min, max}");
   regionNode.CheckFields("region");
   Box region;
-  region.Min = regionNode.At("min", "a point [x, y, z]").Vector();
-  region.Max = regionNode.At("max", "a point [x, y, z]").Vector();
+  region.Min = origin + regionNode.At("min", "a point [x, y, z]").Vector();
+  region.Max = origin + regionNode.At("max", "a point [x, y, z]").Vector();
   if (region.Size().minCoeff() < 0.0)
   {
     regionNode.Fail("a region whose max is not below its min");

@@ -85,7 +85,7 @@ bool IsSameObject(const MotionObject& a, const MotionObject& b)
          IsNear(a.AngularVelocity, b.AngularVelocity) && IsNear(a.Mass, b.Mass) &&
          IsNear(a.SettlingSpeed, b.SettlingSpeed) && IsNear(a.ClearanceRadius, b.ClearanceRadius) &&
          IsNear(a.RestHeight, b.RestHeight) && a.Released() == b.Released() &&
-         a.FirstPresent() == b.FirstPresent() && AreAlike(a.Goes, b.Goes);
+         a.FirstPresent() == b.FirstPresent() && AreAlike(a.Goes, b.Goes) && a.On == b.On;
 }
 
 bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
@@ -96,7 +96,7 @@ bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
          a.Side == b.Side && IsNear(a.Facing, b.Facing) &&
          (a.Facing.isZero() || IsNear(a.FacingTolerance, b.FacingTolerance)) &&
          IsNear(a.Radius, b.Radius) && (a.Until == b.Until || !IsLasting(a)) && a.Hold == b.Hold &&
-         AreAlike(a.Goes, b.Goes) &&
+         AreAlike(a.Goes, b.Goes) && a.On == b.On &&
          (IsAttitude(a.Kind) ? IsNear(a.Orientation, b.Orientation) : IsNear(a.Value, b.Value));
 }
 

@@ -118,6 +118,11 @@ SceneField ShapeOf()
 }
 
 /// Of objects, however many an entry has.
+SceneField On(const char* sentence)
+{
+  return SceneField("on", Value::Whole, Id, sentence);
+}
+
 Fields OfObjects()
 {
   return {
@@ -130,6 +135,8 @@ Fields OfObjects()
                "it is not in the shot before its release, and begins in flight there")
       .Or("false"),
     Leave(),
+    On("id of an obstacle that places are relative to, at its reference point at frame 0; it goes "
+       "along until its release"),
     Ordered("of several releases, who goes when").Or("\"random\""),
     SpreadOver("of releases, over the window"),
     { "velocity", Value::Vector, Velocity, "m/s, exact; default: as the air at its start" },
@@ -182,9 +189,15 @@ Fields OfRow(const char* kind, const SceneField& object, const SceneField& value
   return { Kind(kind), object, FrameOf("frame").Required(), value };
 }
 
+SceneField OnThen()
+{
+  return On("id of an obstacle that places are relative to, at its reference point at the frame, "
+            "and go along with; of a rest the one that it lies on");
+}
+
 Fields OfPlacedRow(const char* kind)
 {
-  return Fields{ Kind(kind), ObjectOrAny() } + Times();
+  return Fields{ Kind(kind), ObjectOrAny() } + Times() + Fields{ OnThen() };
 }
 
 SceneField Asked(Value holds, const Range& range, const char* sentence)
@@ -339,7 +352,7 @@ std::vector<SceneFieldTable> ConstraintTables()
     { "keyframeConstraint",
       Fields{ Kind("keyframe") } + Times() +
         Fields{
-          SceneField("targets", Value::Part).Of("targets").Required(),
+          OnThen(), SceneField("targets", Value::Part).Of("targets").Required(),
           SceneField("objects", Value::Whole, IdOrAny,
                      "default: all; -1 (any other) only with assign inOrder")
             .List(SceneLists::Objects),

@@ -4,6 +4,9 @@
 #include "Scene/JsonText.h"
 #include "Scene/SceneEdits.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace waft
 {
 namespace
@@ -79,6 +82,59 @@ private:
     this->Handles.back()["most"] = ListOf(high.cwiseMax(this->Volume.Max));
   }
 
+  static double FrameOf(const SceneJson& frame) // of a window its end
+  {
+    return frame.is_object() ? frame["to"].get<double>() : frame.get<double>();
+  }
+
+  /// Moves the handles from the index `first` on by where the obstacle that an entry is `on` has
+  /// its reference point.
+  void GoOn(const SceneJson& entry, double frame, std::size_t first)
+  {
+    const SceneJson obstacles = this->Root.value("obstacles", SceneJson::array());
+    for (std::size_t i = 0; entry.contains("on") && i < obstacles.size(); ++i)
+    {
+      if (obstacles[i].value("id", static_cast<int>(i)) != entry["on"])
+      {
+        continue;
+      }
+      const Vec3 at = ReferenceAt(obstacles[i], frame);
+      for (std::size_t h = first; h < this->Handles.size(); ++h)
+      {
+        this->Handles[h]["place"] = ListOf(PointOf(this->Handles[h]["place"]) + at);
+      }
+    }
+  }
+
+  static Vec3 ReferenceAt(const SceneJson& obstacle, double frame)
+  {
+    const SceneJson keys = obstacle.value("motion", SceneJson::array());
+    const auto after =
+      std::find_if(keys.begin(), keys.end(),
+                   [&](const SceneJson& key) { return key["frame"].get<double>() >= frame; });
+    if (!keys.empty() && (after == keys.begin() || after == keys.end()))
+    {
+      return PointOf((after == keys.end() ? keys.back() : *after)["position"]);
+    }
+    if (!keys.empty())
+    {
+      const SceneJson& before = *std::prev(after);
+      const double a = before["frame"], b = (*after)["frame"];
+      const Vec3 from = PointOf(before["position"]);
+      return from + (frame - a) / (b - a) * (PointOf((*after)["position"]) - from);
+    }
+    for (const char* field : { "center", "base", "position" })
+    {
+      if (obstacle.contains(field))
+      {
+        return PointOf(obstacle[field]);
+      }
+    }
+    return obstacle.contains("min")
+             ? Vec3(0.5 * (PointOf(obstacle["min"]) + PointOf(obstacle["max"])))
+             : Vec3(Vec3::Zero());
+  }
+
   void AddObjects()
   {
     int count = 0; // so far; of those that say no id it is the next one's
@@ -87,6 +143,7 @@ private:
     {
       const SceneJson& entry = entries[i];
       const std::string pointer = "/objects/" + std::to_string(i);
+      const std::size_t first = this->Handles.size();
       if (entry.contains("count"))
       {
         count += entry["count"].get<int>();
@@ -107,6 +164,7 @@ private:
         this->LastId = std::max(this->LastId, id);
       }
       this->LastId = std::max(this->LastId, count - 1);
+      this->GoOn(entry, 0.0, first);
     }
   }
 
@@ -118,10 +176,11 @@ private:
       const SceneJson& entry = entries[i];
       const std::string pointer = "/constraints/" + std::to_string(i);
       const std::string kind = entry["kind"].get<std::string>();
+      const std::size_t first = this->Handles.size();
+      const int at = entry.contains("frame") ? static_cast<int>(FrameOf(entry["frame"])) : 0;
       if (kind == "position" || kind == "rest")
       {
-        this->Add(kind == "rest" ? "rest" : "mark", entry["object"], entry["frame"],
-                  { pointer + "/value" });
+        this->Add(kind == "rest" ? "rest" : "mark", entry["object"], at, { pointer + "/value" });
       }
       else if (kind == "path")
       {
@@ -135,14 +194,14 @@ private:
       {
         for (std::size_t k = 0; k < entry["targets"]["points"].size(); ++k)
         {
-          this->Add("target", -1, entry["frame"],
-                    { pointer + "/targets/points/" + std::to_string(k) });
+          this->Add("target", -1, at, { pointer + "/targets/points/" + std::to_string(k) });
         }
       }
       else if (kind == "keyframe" && entry["targets"].contains("origin"))
       {
-        this->Add("targets", -1, entry["frame"], { pointer + "/targets/origin" });
+        this->Add("targets", -1, at, { pointer + "/targets/origin" });
       }
+      this->GoOn(entry, at, first);
     }
   }
 

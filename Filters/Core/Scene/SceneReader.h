@@ -46,6 +46,11 @@ public:
   /// known.
   void AssignChosen(const SceneNode& node);
 
+  /// Where the reference point of an obstacle is at frame 0, as its file has it.
+  void SetReference(int obstacleId, const Vec3& place) { this->ReferenceOf[obstacleId] = place; }
+  /// Where it is at a frame; of none (-1) the origin.
+  Vec3 ReferenceAt(int obstacleId, int frame) const;
+
   /// Adds an object that no entry was read for.
   void AddObject(const MotionObject& object);
   /// Forgets what entries added behind the first `count`.
@@ -101,11 +106,14 @@ private:
   std::string KnownShapes() const;
   int ClassOf(const std::string& name);
   int FreeId(const SceneNode& node) const;
-  std::vector<Vec3> SpreadObjects(const SceneNode& node, std::size_t entry, double radius);
+  std::vector<Vec3> SpreadObjects(const SceneNode& node, std::size_t entry, const Vec3& origin,
+                                  double radius);
 
   // ReadFields.cxx
   void ReadObstacles(const SceneNode& node);
   std::vector<Vec3> ReadMotion(const SceneNode& node) const;
+  /// `on`, the obstacle that values are relative to; -1: none.
+  int ReadOn(const SceneNode& node) const;
   void ReadVortices(const SceneNode& node);
 
   // ReadConstraints.cxx
@@ -156,6 +164,7 @@ private:
   bool HasGround = true;
   double GroundHeight = 0.0;
   std::map<int, std::size_t> IndexOfObject;           // by id
+  std::map<int, Vec3> ReferenceOf;                    // of obstacles by id, at frame 0
   std::map<std::string, int> WarningsOf;              // by kind, how many there were
   NearObjects Placed;                                 // objects that were looked for room among
   std::vector<Box> BoxOfObstacle;                     // of those that were kept clear of

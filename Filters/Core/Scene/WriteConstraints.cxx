@@ -96,9 +96,13 @@ bool FormatTimes(const std::vector<const Constraint*>& rows, SceneJson& json)
   return false;
 }
 
-/// How long it is held, and how it goes.
+/// How long it is held, on what, and how it goes.
 void FormatStay(const Constraint& row, SceneJson& json)
 {
+  if (row.On >= 0)
+  {
+    json["on"] = row.On;
+  }
   if (row.Hold > 0)
   {
     json["hold"] = row.Hold;
@@ -111,7 +115,7 @@ void FormatStay(const Constraint& row, SceneJson& json)
 
 bool StayAlike(const Constraint& a, const Constraint& b)
 {
-  return a.Hold == b.Hold && a.Goes == b.Goes;
+  return a.Hold == b.Hold && a.Goes == b.Goes && a.On == b.On;
 }
 
 /// Whether the targets of a keyframe may be rows of this kind.
@@ -170,7 +174,9 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
   {
     json["until"] = row.Until;
   }
-  json["value"] = IsAttitude(row.Kind) ? FormatRotation(row.Orientation) : FormatVector(row.Value);
+  json["value"] = IsAttitude(row.Kind)
+                    ? FormatRotation(row.Orientation)
+                    : FormatVector(row.Value - this->Reader.ReferenceAt(row.On, row.Frame));
   if (row.Radius > 0.0)
   {
     json["radius"] = row.Radius;
@@ -187,8 +193,8 @@ bool SceneFormat::FormatPath(const Rows& rows, SceneJson& json) const
   for (const Constraint* row : rows)
   {
     if (row->Kind != ConstraintKind::Position || row->Group >= 0 || row->ClassId >= 0 ||
-        !row->Facing.isZero() || row->Hold > 0 || row->Goes.From >= 0 || row->ObjectId < 0 ||
-        row->ObjectId != first.ObjectId || row->Target != first.Target ||
+        !row->Facing.isZero() || row->Hold > 0 || row->On >= 0 || row->Goes.From >= 0 ||
+        row->ObjectId < 0 || row->ObjectId != first.ObjectId || row->Target != first.Target ||
         row->Radius != first.Radius || row->Frame != first.Frame + static_cast<int>(points.size()))
     {
       return false;
@@ -213,7 +219,7 @@ void SceneFormat::SetTargets(const Rows& targets, SceneJson& json) const
   bool hasClasses = false;
   for (const Constraint* row : targets)
   {
-    points.push_back(FormatVector(row->Value));
+    points.push_back(FormatVector(row->Value - this->Reader.ReferenceAt(row->On, row->Frame)));
     classes.push_back(row->ClassId < 0 ? std::string()
                                        : this->In.Classes[static_cast<std::size_t>(row->ClassId)]);
     hasClasses = hasClasses || row->ClassId >= 0;

@@ -73,6 +73,7 @@ SceneJson SceneFormat::FormatObstacle(std::size_t index, int position, const Sce
       this->SideFile("obstacle-" + std::to_string(obstacle.ObstacleId), ".vtp");
     this->Out.Meshes.push_back({ file, false, index });
     json = { { "kind", "mesh" }, { "file", file } };
+    this->Reader.SetReference(obstacle.ObstacleId, Vec3::Zero());
   }
   if (hasOwnId)
   {

@@ -287,6 +287,10 @@ SceneJson SceneFormat::FormatObject(const MotionObject& object) const
       json["appears"] = true;
     }
   }
+  if (object.On >= 0)
+  {
+    json["on"] = object.On;
+  }
   if (object.Goes.From >= 0)
   {
     json["leave"] = FormatLeaving(object.Goes);
@@ -339,6 +343,7 @@ void SceneFormat::WriteObjects()
   {
     const MotionObject& object = this->In.Objects[i];
     SceneJson json = this->FormatObject(object);
+    const SceneJson place = FormatVector(object.Position - this->Reader.ReferenceAt(object.On, 0));
     const auto entry = entries.find(object.ObjectId);
     SceneJson authored;
     std::size_t count =
@@ -359,12 +364,12 @@ void SceneFormat::WriteObjects()
         last["positions"] = SceneJson::array({ last["position"] });
         last.erase("position");
       }
-      last["positions"].push_back(FormatVector(object.Position));
+      last["positions"].push_back(place);
     }
     else
     {
       common = hasOwnId ? SceneJson() : json;
-      json["position"] = FormatVector(object.Position);
+      json["position"] = place;
       if (hasOwnId)
       {
         json["id"] = object.ObjectId;

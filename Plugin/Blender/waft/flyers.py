@@ -45,8 +45,10 @@ def add_flyers(stage, things):
         ids[thing.name_full] = len(stage.flyers)
         bodies[thing.name_full] = body
         stage.flyers.append((thing.name_full, body))
+        on, origin = stage.on_of(thing, stage.frames[0]) if thing.waft.release else ({}, 0.0)
         turned = {} if thing.waft.appears else {"orientation": orientation.tolist()}  # else as in flight
-        stage.add("objects", thing, shape=name, position=position.tolist(), **turned, **releases.get(thing.name_full, {}))
+        stage.add("objects", thing, shape=name, position=(position - origin).tolist(), **turned, **on,
+                  **releases.get(thing.name_full, {}))
     things = [thing for thing in things if thing.name_full in ids]
     for thing in things:
         _remark_on_use(stage, thing)

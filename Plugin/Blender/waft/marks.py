@@ -79,14 +79,15 @@ def _add(stage, mark, bodies, ids):
     number = -1 if mark.flyer is None else ids[mark.flyer.name_full]
     frame = mark.frame - stage.frames[0]
     radius = mark.radius * stage.unit
-    place = (mark.place * stage.unit).tolist()
+    on, origin = stage.on_of(mark.thing, mark.frame)
+    place = (mark.place * stage.unit - origin).tolist()
     if mark.is_rest:
         until = stage.rest_of(mark.thing)
-        stage.add("constraints", mark.thing, kind="rest", object=number, frame=frame, value=place,
+        stage.add("constraints", mark.thing, kind="rest", object=number, frame=frame, value=place, **on,
                   **({"until": until["until"]} if "until" in until else {}))
     else:
         facing = {} if mark.thing.waft.is_turned else stage.facing_of(mark.thing, _matrix(stage, mark.thing, mark.frame), mark.tolerance)
-        stage.add("constraints", mark.thing, kind="position", object=number, frame=frame, value=place, radius=radius, **facing)
+        stage.add("constraints", mark.thing, kind="position", object=number, frame=frame, value=place, radius=radius, **on, **facing)
     if mark.thing.waft.is_turned:
         if mark.flyer is None:
             stage.problems.error("turns its flyer, but is a mark of any: name its flyer", mark.thing)

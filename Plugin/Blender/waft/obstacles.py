@@ -36,6 +36,7 @@ def add_obstacles(stage, things):
         keys = _corners(origin)
         if len(keys) > 1:
             entry["motion"] = [{"frame": int(frame), "position": origin[frame].tolist()} for frame in keys]
+        stage.obstacles[thing.name_full] = (len(stage.obstacles), origin)
         stage.add("obstacles", thing, **entry)
 
 

@@ -118,17 +118,17 @@ class WAFT_PT_object(_Panel, bpy.types.Panel):
 
 def _draw_flyer(layout, settings):
     for name in ("preset", "settling_speed", "area_density", "thickness", "drag_coefficient", "release",
-                 *(("last_release", "appears") if settings.release else ())):
+                 *(("last_release", "appears", "on") if settings.release else ())):
         layout.prop(settings, name)
 
 
 def _draw_mark(layout, settings):
-    for name in ("flyer", "frame", "radius", "kind", *_of_kind(settings, settings.is_turned), "is_turned"):
+    for name in ("flyer", "frame", "on", "radius", "kind", *_of_kind(settings, settings.is_turned), "is_turned"):
         layout.prop(settings, name)
 
 
 def _draw_target(layout, settings):
-    for name in ("group", "frame", "first_frame", *(("order",) if settings.first_frame else ()), "radius", "kind", *_of_kind(settings),
+    for name in ("group", "frame", "first_frame", *(("order",) if settings.first_frame else ()), "on", "radius", "kind", *_of_kind(settings),
                  *(("hold",) if settings.kind != "REST" else ()), "leave",
                  *(("leave_frame", "last_leave") if settings.leave != "STAY" else ()), "count"):
         layout.prop(settings, name)

@@ -46,6 +46,7 @@ class Stage:
         self.files = {}
         self.sources = {}
         self.flyers = []
+        self.obstacles = {}  # {full name: (its number, places of its origin, by frame [m])}
         self.instancers = set()
         self.left_out = set()
         self.manifest = []
@@ -141,6 +142,19 @@ class Stage:
             times["leave"]["side"] = settings.leave
         return True
 
+    def on_of(self, thing, frame):
+        """What goes along with an obstacle: the field that says so, and where the obstacle's origin is at a frame [m], which places are
+        relative to; else none, and the world's."""
+        carrier = thing.waft.on or thing.parent
+        while carrier is not None and carrier.waft.role != "OBSTACLE":
+            carrier = carrier.parent
+        if carrier is None or carrier.name_full not in self.obstacles:
+            if thing.waft.on is not None and carrier is None:
+                self.problems.error(f"is on {thing.waft.on.name_full}, which is no obstacle of this scene", thing)
+            return {}, np.zeros(3)
+        number, places = self.obstacles[carrier.name_full]
+        return {"on": number}, places[frame - self.frames[0]]
+
     def facing_of(self, thing, matrix, tolerance):
         """The field of a row that asks its flyers to face along the z axis of a matrix; none of one that asks no such thing."""
         if not thing.waft.is_facing or thing.waft.kind == "REST":
@@ -221,8 +235,8 @@ class Stage:
         title = "".join(filter(str.isprintable, scene.name))  # no control characters go into files
         self.scene.update(title=title, seed=scene.waft.seed, time={"frames": len(self.frames), "framesPerSecond": self.rate})
         has_volume = add_volume(self, parts["VOLUME"], scene.waft.has_ground)
-        ids, bodies = add_flyers(self, parts["FLYER"])
         add_obstacles(self, parts["OBSTACLE"])
+        ids, bodies = add_flyers(self, parts["FLYER"])
         marks.add_marks(self, [thing for thing in parts["MARK"] if thing.type == "EMPTY"], bodies, ids)
         add_targets(self, parts["TARGET"], ids)
         if has_volume:

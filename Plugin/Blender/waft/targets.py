@@ -34,7 +34,10 @@ def add_targets(stage, things, ids):
         shape = _shape(stage, thing, count)
         if not shape:
             continue
-        entry = {"kind": "keyframe", **times, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing),
+        on, origin = stage.on_of(thing, settings.frame)
+        field = "points" if "points" in shape else "origin"
+        shape[field] = (np.array(shape[field]) - origin).tolist()
+        entry = {"kind": "keyframe", **times, **on, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing),
                  **stage.facing_of(thing, stage.matrix(thing, settings.frame), settings.facing_tolerance)}
         if settings.group is not None:
             entry["objects"] = sorted(group)

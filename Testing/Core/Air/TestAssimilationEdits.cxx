@@ -361,7 +361,7 @@ TEST(AssimilationWhen, EachComesWhereItCostsLeastInItsWindowAndStaysThereInEdits
   AssimilationInput fixed = input;
   for (Constraint& row : fixed.Constraints)
   {
-    SetArrival(row.Frame, row);
+    SetArrival(row.Frame, row.Value, row);
   }
   AssimilationState memory;
   const AssimilationOutput found = Assimilated(input, options, &memory);

@@ -73,7 +73,7 @@ TEST(SetHolds, BeginWithTheLastOfTheirRow)
   EXPECT_EQ(70, LastFrame(rows[1]));
   EXPECT_EQ(40, LastFrame(rows[2]));  // it is not held
   EXPECT_EQ(100, LastFrame(rows[3])); // no longer than the shot
-  SetArrival(35, rows[1]);
+  SetArrival(35, rows[1].Value, rows[1]);
   SetHolds(100, rows);
   EXPECT_EQ(55, LastFrame(rows[0]));
 }

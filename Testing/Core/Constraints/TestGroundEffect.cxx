@@ -38,7 +38,7 @@ struct OnASlope
     landing.Frame = 60;
     landing.First = 30.0;
     landing.Until = 70;
-    landing.Centre = Above(RestHeight);
+    landing.Centre.Place = Above(RestHeight);
     landing.Normal = Normal();
     MotionObject body;
     body.RestHeight = RestHeight;
@@ -179,6 +179,58 @@ TEST(GroundEffect, WhatNothingAsksForIsBorneAtItsClearance)
       const double slope =
         (scene.Ground.Factor(x + h, 100.0) - scene.Ground.Factor(x - h, 100.0)) / 2e-6;
       EXPECT_NEAR(gradient[c], slope, 1e-6) << part << " " << c;
+    }
+  }
+}
+
+/// A slope that moves by 0.6 m/s along x and 0.3 along y; it is landed on at frame 60, left at 70.
+TEST(GroundEffect, WhatLandsTakesUpTheVelocityOfTheSurface)
+{
+  const OnASlope still;
+  std::vector<ObstacleMesh> slope = still.Obstacles.Obstacles();
+  const Vec3 step(0.02, 0.01, 0.0);
+  for (int f = 0; f < 100; ++f)
+  {
+    slope.front().Offsets.push_back((f - 60) * step);
+  }
+  ObstacleSet moving;
+  ASSERT_TRUE(moving.Build(slope));
+  Constraint row;
+  row.ObjectId = 0;
+  row.Kind = ConstraintKind::Rest;
+  row.Frame = 60;
+  row.Until = 70;
+  row.Value = slope.front().Offset(60) + Vec3(0.2, 0.1, 1.0);
+  MotionObject body;
+  body.RestHeight = RestHeight;
+  body.ClearanceRadius = 0.5 * Length;
+  body.SettlingSpeed = Settling;
+  const std::vector<LandingWindow> landings = LandingWindows(body, { row }, moving, Rate);
+  ASSERT_EQ(landings.size(), 1u);
+  const GroundEffect ground(moving, landings, body, Rate,
+                            [](const Vec3&, int) { return Vec3(0.0, 0.0, 0.0); });
+  const Vec3 along = Rate * (step - step.dot(OnASlope::Normal()) * OnASlope::Normal());
+  const auto carried = [&](double height, double frame)
+  { return ground.Carried(landings[0].Centre.At(frame) + height * OnASlope::Normal(), frame); };
+  EXPECT_GT(carried(1e-9, 59.5).dot(along), 0.75 * along.squaredNorm());
+  EXPECT_LT(carried(0.5 * Height, 59.5).norm(), carried(0.1 * Height, 59.5).norm());
+  EXPECT_EQ(carried(1.01 * Height, 59.5).norm(), 0.0);
+  EXPECT_EQ(carried(0.0, 40.0).norm(), 0.0);
+  EXPECT_LT((carried(0.0, 70.5) - along).norm(), 0.02 * along.norm());
+  EXPECT_LT(carried(0.0, 86.0).norm(), 0.1 * along.norm());
+  EXPECT_EQ(still.Windy.Carried(OnASlope::Above(RestHeight), 59.5).norm(), 0.0);
+  for (const double frame : { 57.5, 76.5 })
+  {
+    const Vec3 x = landings[0].Centre.At(frame) + 0.4 * Height * OnASlope::Normal();
+    Mat3 gradient = Mat3::Zero();
+    (void)ground.Carried(x, frame, &gradient);
+    EXPECT_GT(gradient.norm(), 0.1);
+    for (int c = 0; c < 3; ++c)
+    {
+      constexpr double h = 1e-6;
+      const Vec3 rise =
+        ground.Carried(x + h * Vec3::Unit(c), frame) - ground.Carried(x - h * Vec3::Unit(c), frame);
+      EXPECT_LT((gradient.col(c) - rise / (2.0 * h)).norm(), 1e-5) << frame;
     }
   }
 }

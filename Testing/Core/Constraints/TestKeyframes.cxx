@@ -154,7 +154,7 @@ TEST(AssignKeyframes, WindowsOfAGroupAreOneTime)
   AssignKeyframes(objects, rows);
   EXPECT_EQ(rows[0].ObjectId, 1);
   rows[0].ObjectId = -1;
-  SetArrival(60, rows[0]);
+  SetArrival(60, rows[0].Value, rows[0]);
   AssignKeyframes(objects, rows);
   EXPECT_EQ(rows[0].ObjectId, 0);
 }

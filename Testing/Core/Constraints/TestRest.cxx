@@ -96,7 +96,7 @@ TEST(Rest, LandingIsAllowedInItsWindowOnly)
   const MotionObject leaf = Leaf();
   const auto windows = LandingWindows(leaf, { RestRow(Vec3(-0.5, 0, 3), 100, 120) }, set, 10.0);
   ASSERT_EQ(windows.size(), 1u);
-  const Vec3 place = windows[0].Centre;
+  const Vec3 place = windows[0].Centre.Place;
   EXPECT_NEAR(place.z(), 0.01, 1e-15);
   const Vec3 above = place + Vec3(0, 0, 0.03);
   EXPECT_TRUE(IsMotionClear(set, leaf, windows, above, 99, place, 100));
@@ -120,7 +120,7 @@ TEST(Rest, OtherSurfacesGiveWayAsFarAsTheRestItselfLeaves)
   const std::vector<LandingWindow> windows = LandingWindows(leaf, { row }, set, 30.0);
   ASSERT_EQ(windows.size(), 1u);
   ASSERT_EQ(windows[0].ObstacleId, 1);
-  const Vec3& rest = windows[0].Centre;
+  const Vec3& rest = windows[0].Centre.Place;
   EXPECT_NEAR(windows[0].Room, rest.z(), 1e-12);
   EXPECT_LT(windows[0].Room, leaf.ClearanceRadius);
   for (const double frame : { 45.0, 60.0, 80.0 })
@@ -141,8 +141,46 @@ TEST(Rest, FloorOfTheVolumeGivesWayToALanding)
   const MotionObject leaf = Leaf();
   const auto windows = LandingWindows(leaf, { RestRow(Vec3(-0.5, 0, 3), 100, 120) }, set, 10.0);
   const Box volume;
-  EXPECT_TRUE(KeepsInside(volume, RequiredClearance(leaf, windows, 110), windows[0].Centre));
-  EXPECT_FALSE(KeepsInside(volume, RequiredClearance(leaf, windows, 50), windows[0].Centre));
+  EXPECT_TRUE(KeepsInside(volume, RequiredClearance(leaf, windows, 110), windows[0].Centre.Place));
+  EXPECT_FALSE(KeepsInside(volume, RequiredClearance(leaf, windows, 50), windows[0].Centre.Place));
   EXPECT_TRUE(KeepsInside(volume, RequiredClearance(leaf, windows, 50), Vec3(0, 0, 0.05)));
   EXPECT_FALSE(KeepsInside(volume, RequiredClearance(leaf, windows, 50), Vec3(0, 1.96, 1)));
+}
+
+/// A tray that moves from frame 40 on, a fifth of a metre a frame along x.
+TEST(Rest, GoesAlongWithWhatItLiesOn)
+{
+  ObstacleMesh tray;
+  tray.ObstacleId = 4;
+  tray.Mesh = MakeBox({ Vec3(-0.5, -0.5, 0.9), Vec3(0.5, 0.5, 1) });
+  for (int f = 0; f < 100; ++f)
+  {
+    tray.Offsets.emplace_back(0.2 * std::max(0, f - 40), 0.0, 0.0);
+  }
+  ObstacleSet set;
+  ASSERT_TRUE(set.Build({ tray }));
+  Constraint row = RestRow(Vec3(2.1, 0.3, 1.5), 50, 60);
+  const std::vector<LandingWindow> windows = LandingWindows(Leaf(), { row }, set, 10.0);
+  ASSERT_EQ(windows.size(), 1u);
+  const auto expectNear = [](const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-12); };
+  expectNear(windows[0].Centre.At(50), Vec3(2.1, 0.3, 1.01));
+  expectNear(windows[0].Centre.At(45), Vec3(1.1, 0.3, 1.01)); // had it touched down by then
+  expectNear(windows[0].Point.At(60), Vec3(4.1, 0.3, 1.0));
+  expectNear(windows[0].Centre.Velocity(55, 10.0), Vec3(2.0, 0.0, 0.0));
+  expectNear(windows[0].Centre.Velocity(30, 10.0), Vec3::Zero());
+  CarriedPlace place;
+  ASSERT_TRUE(WantedPlace(row, 0.01, set, place));
+  expectNear(place.At(60), windows[0].Centre.At(60));
+  row.Kind = ConstraintKind::Position;
+  ASSERT_TRUE(WantedPlace(row, 0.01, set, place));
+  expectNear(place.At(60), row.Value); // it is on nothing
+  row.On = 4;
+  ASSERT_TRUE(WantedPlace(row, 0.01, set, place));
+  expectNear(place.At(60), Vec3(4.1, 0.3, 1.5));
+  expectNear(ValueAt(row, 41, set), Vec3(0.3, 0.3, 1.5));
+  MotionObject leaf = Leaf();
+  leaf.Position = Vec3(0, 0, 2);
+  expectNear(StartPlace(leaf, set).At(60), Vec3(0, 0, 2));
+  leaf.On = 4;
+  expectNear(StartPlace(leaf, set).At(60), Vec3(4, 0, 2));
 }

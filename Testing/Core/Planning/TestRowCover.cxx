@@ -43,7 +43,7 @@ struct CoverScene : PlanScene
     }
     for (const MotionObject& object : this->Objects)
     {
-      std::vector<std::pair<Stop, bool>> stops{ { StartOf(object), false } };
+      std::vector<std::pair<Stop, bool>> stops{ { StartOf(object, this->Obstacles), false } };
       for (std::size_t i = 0; i < rows.size(); ++i)
       {
         if (rows[i].ObjectId == object.ObjectId)
@@ -229,7 +229,7 @@ TEST(RowTurns, TheNearestThatCanBeThereGoes)
     objects[o].ObjectId = static_cast<int>(o);
     objects[o].ClassId = o == 2 ? 1 : 0;
     objects[o].Position = Vec3(static_cast<double>(o), 0, 2);
-    stops.push_back({ StartOf(objects[o]) });
+    stops.push_back({ StartOf(objects[o], ObstacleSet()) });
   }
   Stop busy;
   busy.First = 90;

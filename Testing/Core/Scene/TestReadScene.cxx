@@ -515,3 +515,30 @@ TEST(ReadScene, TheSameTextGivesTheSameScene)
     EXPECT_EQ(a.Constraints[i].Value, b.Constraints[i].Value);
   }
 }
+
+TEST(ReadScene, PlacesOnAnObstacleAreRelativeToItsReferencePoint)
+{
+  const Scene scene = Parsed(
+    WithObjects(R"([{"shape": "leaf", "positions": [[0, 0, 0.5], [1, 0, 0.5]], "on": 7},
+      {"shape": "leaf", "count": 3, "region": {"min": [-1, -1, 1], "max": [1, 1, 1]}, "on": 7}])",
+                R"(, "obstacles": [{"kind": "sphere", "id": 7, "center": [9, 9, 9], "radius": 0.1,
+      "motion": [{"frame": 0, "position": [0, 0, 1]}, {"frame": 100, "position": [1, 0, 2]}]}],
+    "constraints": [
+    {"kind": "position", "object": 0, "frame": 50, "value": [0, 0.1, 0.3], "on": 7, "hold": 9},
+    {"kind": "rest", "object": 1, "frame": {"from": 80, "to": 100}, "value": [0, 0, 0.2], "on": 7},
+    {"kind": "keyframe", "frame": {"from": 0, "to": 50}, "order": "left-to-right", "on": 7,
+     "targets": {"points": [[0, 0, 1], [0.5, 0, 1]]}, "objects": [2, 3]},
+    {"kind": "position", "object": 0, "frame": 200, "value": [0, 0.1, 0.3]}])"));
+  const auto expectNear = [](const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-12); };
+  ASSERT_EQ(scene.Objects.size(), 5u);
+  EXPECT_EQ(scene.Objects[0].On, 7);
+  expectNear(scene.Objects[1].Position, Vec3(1, 0, 1.5));
+  EXPECT_NEAR(scene.Objects[4].Position.z(), 2.0, 1e-12);
+  ASSERT_EQ(scene.Constraints.size(), 5u);
+  EXPECT_EQ(scene.Constraints[0].On, 7);
+  expectNear(scene.Constraints[0].Value, Vec3(0.5, 0.1, 1.8));
+  expectNear(scene.Constraints[1].Value, Vec3(1, 0, 2.2)); // at the window's end
+  expectNear(scene.Constraints[2].Value, Vec3(0, 0, 2));   // each at its frame
+  expectNear(scene.Constraints[3].Value, Vec3(1, 0, 2.5));
+  EXPECT_EQ(scene.Constraints[4].On, -1);
+}

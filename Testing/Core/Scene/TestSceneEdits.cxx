@@ -232,3 +232,25 @@ TEST(SceneEdits, EveryHandleOfTheScenesCanBeMoved)
   }
   EXPECT_GT(moved, 20u);
 }
+
+TEST(SceneEdits, HandlesStandWhereAnObstacleCarriesThem)
+{
+  std::string text;
+  ASSERT_TRUE(DescribeHandles(R"({"waft": 1,
+    "objects": [{"shape": "leaf", "position": [0, 0, 1], "on": 0}],
+    "obstacles": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1, "motion":
+      [{"frame": 0, "position": [0, 1, 0]}, {"frame": 100, "position": [0, 2, 0]}]},
+      {"kind": "box", "id": 5, "min": [0, 0, 0], "max": [1, 1, 1]}],
+    "constraints": [
+      {"kind": "position", "object": 0, "frame": {"from": 20, "to": 50}, "value": [1, 0, 1], "on": 0},
+      {"kind": "position", "object": 0, "frame": 150, "value": [1, 0, 1], "on": 0},
+      {"kind": "rest", "object": 0, "frame": 160, "value": [1, 0, 1], "on": 5}]})",
+                              "s", text));
+  const Json all = Json::parse(text)["handles"];
+  EXPECT_EQ(all[0]["place"], Json({ 0.0, 1.0, 1.0 }));
+  EXPECT_EQ(all[1]["place"], Json({ 1.0, 1.5, 1.0 }));
+  EXPECT_EQ(all[1]["frame"], 50);
+  EXPECT_EQ(all[1]["moves"]["/constraints/0/value"], Json({ 1, 0, 1 }));
+  EXPECT_EQ(all[2]["place"], Json({ 1.0, 2.0, 1.0 }));
+  EXPECT_EQ(all[3]["place"], Json({ 1.5, 0.5, 1.5 }));
+}

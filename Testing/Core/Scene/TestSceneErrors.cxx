@@ -116,6 +116,8 @@ TEST(SceneErrors, NameThePlace)
     { R"("constraints": [{"kind": "position", "object": 0, "frame": {"from": 9, "to": 80},
          "order": {"direction": [0, 0, 0]}, "value": [0, 0, 0]}])",
       "/constraints/0/order/direction: expected a direction that is not zero" },
+    { R"("constraints": [{"kind": "rest", "object": 0, "frame": 9, "on": 3, "value": [0, 0, 0]}])",
+      "/constraints/0/on: expected the id of an obstacle of the list, found 3" },
     { R"("constraints": [{"kind": "position", "object": 0, "frame": 9, "hold": 300, "value": [0, 0, 0]}])",
       "/constraints/0/hold: expected a number of frames of the scene (an integer from 0 to 299)" },
     { R"("constraints": [{"kind": "position", "object": 0, "frame": 9, "hold": 3, "radius": 0.1,
@@ -210,6 +212,8 @@ TEST(SceneErrors, NameTheRelease)
   const Bad cases[] = {
     { R"("position": [0, 0, 3], "release": 300)",
       "/objects/1/release: expected a frame of the scene (an integer from 0 to 299), found 300" },
+    { R"("position": [0, 0, 3], "on": 3)",
+      "/objects/1/on: expected the id of an obstacle of the list, found 3" },
     { R"("position": [0, 0, 3], "release": {"from": 3})",
       "/objects/1/release: expected either `to` or `rate` beside `from`" },
     { R"("position": [0, 0, 3],

@@ -41,7 +41,7 @@ void ExpectSameRows(const std::vector<Constraint>& a, const std::vector<Constrai
                                           item.Orientation.coeffs(), item.Radius, item.Until,
                                           item.Row, item.Target, item.Group, item.ClassId,
                                           item.Side, item.Facing, item.FacingTolerance,
-                                          item.FrameFrom, item.IsOpenWindow);
+                                          item.FrameFrom, item.IsOpenWindow, item.On);
                         });
 }
 
@@ -54,7 +54,7 @@ void ExpectSameObjects(const std::vector<MotionObject>& a, const std::vector<Mot
                                           item.Position, item.Velocity, item.Orientation.coeffs(),
                                           item.VelocityGiven, item.OrientationGiven,
                                           item.AngularVelocity, item.SettlingSpeed,
-                                          item.ClearanceRadius, item.RestHeight);
+                                          item.ClearanceRadius, item.RestHeight, item.On);
                         });
 }
 
@@ -123,7 +123,8 @@ const char* const Full =
     {"shape": "leaf", "positions": [[2, 2, 4], [-2, 2, 4]]},
     {"shape": "bubble", "position": [1, 1, 4.5], "id": 40, "settlingSpeed": 0, "clearanceRadius": 0.2,
       "restHeight": 0.01, "class": "green"},
-    {"shape": "leaf", "position": [1, -1, 4.5], "class": ""}],
+    {"shape": "leaf", "position": [1, -1, 4.5], "class": ""},
+    {"shape": "leaf", "position": [0, 0, 1.5], "on": 9, "release": 30}],
   "constraints": [
     {"kind": "position", "object": 40, "frame": 20, "value": [0, 0, 2], "radius": 0.1,
       "facing": {"direction": [0, -1, 0], "tolerance": 0.3}},
@@ -134,6 +135,8 @@ const char* const Full =
     {"kind": "orientation", "object": 1, "frame": 20, "value": [1, 0.2, 0, 0], "radius": 0.1},
     {"kind": "path", "object": 2, "firstFrame": 20, "points": [[0, 0, 1], [0, 0.1, 1]], "radius": 0.02},
     {"kind": "path", "object": 2, "firstFrame": 30, "points": [[0, 0.2, 1]]},
+    {"kind": "rest", "object": 3, "frame": 30, "until": 40, "value": [0, 0.2, 1], "on": 9},
+    {"kind": "keyframe", "frame": 40, "targets": {"points": [[0, 0, 1], [0.1, 0, 1]]}, "on": 9},
     {"kind": "keyframe", "frame": 55, "targets": {"text": "L", "origin": [0, 0, 0.5], "width": 2},
       "velocity": "rest", "until": 80, "faceUp": "up"},
     {"kind": "keyframe", "frame": 84, "targets": {"points": [[0, 0, 1], [1, 0, 1], [1, 1, 1]]},
@@ -245,6 +248,51 @@ TEST(WriteScene, WindowsAreWrittenThoughTheirTargetsMoved)
     {"kind": "rest", "object": 0, "frame": {"from": 90, "to": 150}, "value": [0, 0, 1]}]})");
   single.Constraints[0].Value.x() += 0.1;
   ExpectSameRows(single.Constraints, Parsed(Written(single).Json).Constraints);
+}
+
+TEST(WriteScene, PlacesOnAnObstacleStayRelativeToIt)
+{
+  const Scene read = Parsed(R"({"waft": 1, "shapes": {"a": {"builtin": "leaf"}},
+    "objects": [{"shape": "a", "positions": [[0, 0, 0.5], [1, 0, 0.5]], "on": 7, "release": 9}],
+    "obstacles": [{"kind": "sphere", "id": 7, "center": [0, 0, 1], "radius": 0.1,
+      "motion": [{"frame": 0, "position": [0, 0, 1]}, {"frame": 100, "position": [1, 0, 2]}]}],
+    "constraints": [
+    {"kind": "position", "object": 0, "frame": 50, "value": [0, 0.1, 0.3], "on": 7, "hold": 9},
+    {"kind": "keyframe", "frame": 80, "targets": {"points": [[0, 0, 1], [1, 0, 1]]}, "on": 7}]})");
+  Scene edited = read;
+  for (Constraint& row : edited.Constraints)
+  {
+    row.Value.y() += 0.2;
+  }
+  for (MotionObject& object : edited.Objects)
+  {
+    object.Position.y() += 0.2;
+  }
+  const auto expect = [](const Scene& wanted, const std::string& text)
+  {
+    const Scene again = Parsed(text);
+    ASSERT_EQ(again.Constraints.size(), 3u);
+    ASSERT_EQ(again.Objects.size(), 2u);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(again.Constraints[i].On, 7);
+      EXPECT_LT((again.Constraints[i].Value - wanted.Constraints[i].Value).norm(), 1e-12) << i;
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      EXPECT_EQ(again.Objects[i].On, 7);
+      EXPECT_LT((again.Objects[i].Position - wanted.Objects[i].Position).norm(), 1e-12) << i;
+    }
+  };
+  expect(read, Written(read).Json);
+  const Json json = Json::parse(Written(edited).Json);
+  EXPECT_NEAR(json["constraints"][0]["value"][2].get<double>(), 0.3, 1e-12);
+  expect(edited, json.dump());
+  // As a mesh of its own its reference point is the origin.
+  edited.Obstacles[0].Mesh.Points[0] *= 0.999;
+  const Json mesh = Json::parse(Written(edited).Json);
+  EXPECT_NEAR(mesh["constraints"][0]["value"][2].get<double>(), 1.3, 1e-12);
+  EXPECT_NEAR(mesh["objects"][0]["positions"][0][2].get<double>(), 1.5, 1e-12);
 }
 
 namespace

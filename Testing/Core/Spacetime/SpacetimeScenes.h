@@ -94,7 +94,7 @@ inline SpacetimeInput MakeScene(const SceneOptions& options)
                                           input.Scene.Time.FramesPerSecond);
       for (int k = landing; k <= last && !windows.empty(); ++k)
       {
-        input.Tracks[o].Positions[k] = windows.front().Centre;
+        input.Tracks[o].Positions[k] = windows.front().Centre.Place;
       }
     }
   }

@@ -311,7 +311,7 @@ TEST(SpacetimeMotion, BringsNeighboursDownAlikeAndSoftly)
     const auto windows =
       LandingWindows(object, { rest }, obstacles, input.Scene.Time.FramesPerSecond);
     ASSERT_EQ(windows.size(), 1u);
-    resting[o] = windows.front().Centre;
+    resting[o] = windows.front().Centre.Place;
     for (int k = 0; k < scene.NumberOfFrames; ++k)
     {
       const double left = std::max(0.0, 1.0 - k / 60.0);
@@ -367,7 +367,7 @@ TEST(SpacetimeMotion, LiftsThingsOffARestWithoutAJump)
     const auto windows =
       LandingWindows(object, { rest }, obstacles, input.Scene.Time.FramesPerSecond);
     ASSERT_EQ(windows.size(), 1u);
-    resting.push_back(windows.front().Centre);
+    resting.push_back(windows.front().Centre.Place);
     const auto ease = [](double s) { return s * s * (3.0 - 2.0 * s); };
     for (int k = 0; k < scene.NumberOfFrames; ++k)
     {

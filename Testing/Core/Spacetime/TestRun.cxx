@@ -218,7 +218,7 @@ TEST(RunSpacetime, LandsAtTheRestingPlaceAndKeepsClearOfAPillar)
     const std::vector<Vec3>& x = output.Tracks[o].Positions;
     for (int k = windows[0].Frame; k <= windows[0].Until; ++k)
     {
-      EXPECT_EQ(x[k], windows[0].Centre);
+      EXPECT_EQ(x[k], windows[0].Centre.Place);
     }
     for (std::size_t k = 0; k + 1 < x.size(); ++k)
     {

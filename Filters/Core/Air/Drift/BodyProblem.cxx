@@ -37,7 +37,7 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
   }
   if (object.Hangs())
   {
-    this->Stays.push_back({ 0, object.Release, object.Position });
+    this->Stays.push_back({ 0, object.Release, StartPlace(object, scene.Obstacles) });
   }
   this->AddRows();
   this->FixFrames();
@@ -60,7 +60,8 @@ std::vector<Vec3> BodyProblem::TakenUp(const AirSampler& air) const
   std::vector<Vec3> slips(static_cast<std::size_t>(this->NumberOfFrames() - 1), sinking);
   for (const Stay& stay : this->Stays)
   {
-    const Vec3 still = -air.At(std::min(stay.Last, this->NumberOfFrames() - 1), stay.Place);
+    const int last = std::min(stay.Last, this->NumberOfFrames() - 1);
+    const Vec3 still = stay.Place.Velocity(last, rate) - air.At(last, stay.Place.At(last));
     for (int k = stay.Last; k + 1 < this->NumberOfFrames(); ++k)
     {
       const double taken = SmoothStep((k + 0.5 - stay.Last) / (TakingTime * rate));

@@ -117,7 +117,7 @@ private:
   struct Stay
   {
     int First = 0, Last = 0; // frames
-    Vec3 Place = Vec3::Zero();
+    CarriedPlace Place;
   };
   std::vector<int> Marks() const;                         // fixed frames
   std::vector<Vec3> TakenUp(const AirSampler& air) const; // slips, by step, of who is let go
@@ -150,7 +150,7 @@ private:
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;
   std::vector<std::pair<int, Vec3>> Passed; // frames and places of exact positions
-  std::vector<Stay> Stays;                  // where it hangs or is held still, in no order
+  std::vector<Stay> Stays;                  // where it hangs or is held, in no order
   FlightRoom Space;                         // where it may be
   std::vector<DriftRow> DriftRows;
   std::vector<PositionBall> Balls;

@@ -26,14 +26,16 @@ void BodyProblem::AddRows()
       case ConstraintKind::Position:
         if (row.Radius <= 0.0)
         {
+          CarriedPlace place;
+          (void)WantedPlace(row, 0.0, this->World.Obstacles, place);
           const int last = std::min(LastFrame(row), this->NumberOfFrames() - 1);
           for (int frame = row.Frame; frame <= last; ++frame)
           {
-            this->Passed.emplace_back(frame, row.Value);
+            this->Passed.emplace_back(frame, place.At(frame));
           }
           if (row.Hold > 0)
           {
-            this->Stays.push_back({ row.Frame, last, row.Value });
+            this->Stays.push_back({ row.Frame, last, place });
           }
         }
         else

@@ -24,16 +24,17 @@ void BodyProblem::FixFrames()
     this->IsFixed[static_cast<std::size_t>(frame)] = 1;
     this->Fixed[static_cast<std::size_t>(frame)] = x;
   };
+  const CarriedPlace start = StartPlace(this->Body, this->World.Obstacles);
   for (int f = 0; f <= std::min(this->Body.Released(), static_cast<int>(frames) - 1); ++f)
   {
-    fix(f, this->Body.Position);
+    fix(f, start.At(f));
   }
   const int last = static_cast<int>(frames) - 1;
   for (const LandingWindow& landing : this->Landings)
   {
     for (int f = std::max(0, landing.Frame); f <= std::min(last, landing.Until); ++f)
     {
-      fix(f, landing.Centre);
+      fix(f, landing.Centre.At(f));
     }
   }
   for (const auto& [frame, place] : this->Passed)

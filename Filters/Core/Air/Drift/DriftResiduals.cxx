@@ -113,7 +113,7 @@ Vec3 DriftResiduals::Drifting(int k, const Vec3& x, Mat3* gradient) const
   {
     *gradient = law.VelocityGradient(*gradient, slope);
   }
-  return law.Velocity(u, factor);
+  return law.Velocity(u, factor) + this->Problem.Ground.Carried(x, k + 0.5, gradient);
 }
 
 } // namespace waft

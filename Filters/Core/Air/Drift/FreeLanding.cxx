@@ -22,17 +22,15 @@ bool FindGround(const ObstacleSet& obstacles, const Vec3& x, int frame, int fram
   {
     return false;
   }
-  const auto same = [&](const ObstacleMesh& one) { return one.ObstacleId == hit.ObstacleId; };
-  const auto& all = obstacles.Obstacles();
-  const auto found = std::find_if(all.begin(), all.end(), same);
-  for (int f = frame + 1; found != all.end() && !found->Offsets.empty() && f < frames; ++f)
+  const ObstacleMesh* found = obstacles.Find(hit.ObstacleId);
+  for (int f = frame + 1; found->IsMoving() && f < frames; ++f)
   {
     if ((found->Offset(f) - found->Offset(frame)).norm() > StandsStill)
     {
       return false;
     }
   }
-  return found != all.end();
+  return true;
 }
 
 // From where it is at a frame, by the air and its settling, until its centre is where it rests.

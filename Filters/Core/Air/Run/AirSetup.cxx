@@ -61,7 +61,14 @@ BodyProblem ProblemOf(const AirContext& run, const MotionObject& object,
     row.ObjectId = object.ObjectId;
     row.Kind = ConstraintKind::Velocity;
     row.Frame = object.Released();
-    row.Value = (object.Hangs() ? 0.5 : 1.0) * object.Velocity; // half of the difference is still
+    row.Value = object.Velocity;
+    if (object.Hangs()) // half of the difference is of the step before
+    {
+      const double rate = run.Input.Scene.Time.FramesPerSecond;
+      const CarriedPlace start = StartPlace(object, run.Obstacles);
+      row.Value += start.Velocity(object.Release - 0.5, rate);
+      row.Value *= 0.5;
+    }
     row.Row = row.Target = OfNoRow;
     rows.push_back(row);
   }

@@ -142,7 +142,7 @@ private:
         return;
       }
       std::vector<Constraint> rows = this->Found.Rows;
-      SetArrivals(row, frame, rows);
+      SetArrivals(row, frame, this->Run.Obstacles, rows);
       BodyProblem body = ProblemOf(this->Run, this->Object, before, rows);
       std::vector<std::vector<Vec3>> starts = OtherStarts(this->Air, body);
       starts.push_back(Retimed(before, others, now, frame));
@@ -172,7 +172,7 @@ private:
       attempt(from - shift);
       attempt(from + shift);
     }
-    SetArrivals(row, best, this->Found.Rows);
+    SetArrivals(row, best, this->Run.Obstacles, this->Found.Rows);
   }
 
   const AirContext& Run;
@@ -191,13 +191,14 @@ std::vector<Constraint> OthersOf(const Constraint& row, const std::vector<Constr
   return others;
 }
 
-void SetArrivals(const Constraint& row, int frame, std::vector<Constraint>& rows)
+void SetArrivals(const Constraint& row, int frame, const ObstacleSet& obstacles,
+                 std::vector<Constraint>& rows)
 {
   for (Constraint& own : rows)
   {
     if (IsOfTarget(row, own))
     {
-      SetArrival(frame, own);
+      SetArrival(frame, ValueAt(own, frame, obstacles), own);
     }
   }
 }
@@ -262,7 +263,7 @@ Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
           {
             if (IsOfTarget(row, run.Rows[i]) && run.Rows[i].IsOpenWindow && !row.IsOpenWindow)
             {
-              SetArrival(row.Frame, run.Rows[i]);
+              SetArrival(row.Frame, ValueAt(run.Rows[i], row.Frame, run.Obstacles), run.Rows[i]);
             }
           }
         }

@@ -17,7 +17,8 @@ inline bool IsOfTarget(const Constraint& row, const Constraint& other)
 /// But for those of a row's target.
 std::vector<Constraint> OthersOf(const Constraint& row, const std::vector<Constraint>& rows);
 /// All of a row's target are met at a frame.
-void SetArrivals(const Constraint& row, int frame, std::vector<Constraint>& rows);
+void SetArrivals(const Constraint& row, int frame, const ObstacleSet& obstacles,
+                 std::vector<Constraint>& rows);
 
 /// Frames of a row's window that are tried for the object of `others`, its rows: `most` of them,
 /// spread evenly, less those at which another row asks where it is; of a row without an open window

@@ -272,7 +272,7 @@ Result TakeWho(const std::vector<int>& who, const std::vector<std::vector<Vec3>>
     if (row.IsOpenWindow && known != frames.end() && known->second >= row.FrameFrom &&
         known->second <= row.Frame)
     {
-      SetArrival(known->second, row);
+      SetArrival(known->second, ValueAt(row, known->second, run.Obstacles), row);
     }
   }
   SetHolds(run.Input.Scene.Time.NumberOfFrames - 1, run.Rows);

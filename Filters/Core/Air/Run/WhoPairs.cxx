@@ -159,7 +159,7 @@ void JudgeAt(const Choosing& choosing, const ChosenTargets& group, int frame,
   const bool isPlanned = pair.Object == group.Targets[pair.Target].Object &&
                          frame == rows.back().Frame; // the plan is of just this
   const int sooner = IsRest(rows.back().Kind) ? rows.back().Frame - frame : 0;
-  SetArrivals(Constraint(rows.back()), frame, rows);
+  SetArrivals(Constraint(rows.back()), frame, run.Obstacles, rows);
   BodyProblem body = ProblemOf(run, object, run.Plans[TrackOf(run, pair.Object)], std::move(rows));
   const Way way = isPlanned ? LeastDrift(run, choosing.Air, body, PairIterations,
                                          body.Starts(choosing.Air, 0), Obstacles::MayBePassed)

@@ -100,7 +100,8 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
         // It arrives without speed, so it is braked over the frames before; from then on the
         // surface carries its weight. A sampled air brakes it in the step to the rest itself.
         const bool arrives = frame == window.Frame && !input.Air.IsEmpty();
-        Fix(setup, frame, o, window.Centre, arrives ? 0 : FixedVelocity);
+        Fix(setup, frame, o, window.Centre.At(frame),
+            arrives || window.Centre.IsMoving() ? 0 : FixedVelocity);
         coherence(frame) = 0.0f;
         if (frame > window.Frame)
         {
@@ -136,7 +137,7 @@ void SetUpApproaches(double rate, SpacetimeSetup& setup)
   {
     for (const LandingWindow& window : setup.Landings[o])
     {
-      landings.push_back({ o, window.Frame, setup.FromWorld(window.Centre) });
+      landings.push_back({ o, window.Frame, setup.FromWorld(window.Centre.At(window.Frame)) });
     }
   }
   const int second = static_cast<int>(rate);
@@ -271,9 +272,10 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
   for (std::size_t o = 0; o < setup.Objects.size(); ++o)
   {
     index[setup.Objects[o].ObjectId] = o;
+    const CarriedPlace start = StartPlace(setup.Objects[o], setup.Obstacles);
     for (int f = 0; f <= std::min(setup.Objects[o].Released(), last); ++f)
     {
-      Fix(setup, f, o, setup.Objects[o].Position, 0);
+      Fix(setup, f, o, start.At(f), 0);
     }
   }
   std::vector<Constraint> binding;
@@ -298,9 +300,11 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
       case ConstraintKind::Position:
         if (row.Radius <= 0.0)
         {
+          CarriedPlace place;
+          (void)WantedPlace(row, 0.0, setup.Obstacles, place);
           for (int f = row.Frame; f <= std::min(LastFrame(row), last); ++f)
           {
-            Fix(setup, f, o, row.Value, 0);
+            Fix(setup, f, o, place.At(f), 0);
           }
         }
         else

@@ -40,7 +40,7 @@ class Scene:
     (Documentation/SceneFiles.md) with underscores: settling_speed is settlingSpeed. A vector is a tuple, list or numpy array
     [x, y, z], or whatever gives three numbers, a quaternion [w, x, y, z]. Paths of files are relative to the working directory; in a saved scene they are
     relative to it. A wrong argument raises waft.InputError at once, naming the argument, what was expected and what was found.
-    Shapes and objects come before what names them.
+    Shapes, objects and obstacles come before what names them.
     """
 
     @documented("scene")
@@ -99,7 +99,7 @@ class Scene:
                    orientation: Optional[Quaternion] = None, angular_velocity: Optional[Vector] = None,
                    mass: Optional[float] = None, settling_speed: Optional[float] = None,
                    clearance_radius: Optional[float] = None, rest_height: Optional[float] = None, class_: Optional[str] = None,
-                   release: Optional[Releases] = None, appears: Optional[bool] = None,
+                   release: Optional[Releases] = None, appears: Optional[bool] = None, on: Optional[int] = None,
                    leave: Optional[Mapping[str, Any]] = None, order: Optional[Order] = None, spread: Optional[str] = None,
                    comment: Optional[str] = None) -> int:
         """One object; returns its id. `shape`: one that was added, or a built-in one."""
@@ -113,7 +113,7 @@ class Scene:
                     angular_velocity: Optional[Vector] = None, mass: Optional[float] = None,
                     settling_speed: Optional[float] = None, clearance_radius: Optional[float] = None,
                     rest_height: Optional[float] = None, class_: Optional[str] = None,
-                    release: Optional[Releases] = None, appears: Optional[bool] = None,
+                    release: Optional[Releases] = None, appears: Optional[bool] = None, on: Optional[int] = None,
                    leave: Optional[Mapping[str, Any]] = None, order: Optional[Order] = None, spread: Optional[str] = None,
                     comment: Optional[str] = None) -> List[int]:
         """Several objects: `count` spread in a `region` {"min": ..., "max": ...}, or one at each of `positions`. Returns their
@@ -125,7 +125,8 @@ class Scene:
 
     @documented("positionConstraint")
     def add_position(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
-                     spread: Optional[str] = None, hold: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None, radius: Optional[float] = None,
+                     spread: Optional[str] = None, on: Optional[int] = None, hold: Optional[int] = None,
+                     leave: Optional[Mapping[str, Any]] = None, radius: Optional[float] = None,
                      facing: Optional[Mapping[str, Any]] = None, comment: Optional[str] = None) -> int:
         """An object is at a place at a frame. Returns the row, as all constraints do."""
         return self._add_mark("add_position", "position", locals())
@@ -150,7 +151,8 @@ class Scene:
 
     @documented("restConstraint")
     def add_rest(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
-                 spread: Optional[str] = None, until: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None,
+                 spread: Optional[str] = None, on: Optional[int] = None, until: Optional[int] = None,
+                 leave: Optional[Mapping[str, Any]] = None,
                  face_up: Optional[str] = None, comment: Optional[str] = None) -> int:
         """An object lies still on the first surface straight below a place, from a frame on."""
         return self._add_mark("add_rest", "rest", locals())
@@ -169,7 +171,8 @@ class Scene:
                      count: Optional[int] = None, font: Optional[Path] = None,
                      classes: Union[Iterable[str], Mapping[str, Vector], None] = None,
                      objects: Optional[Iterable[int]] = None, assign: Optional[str] = None,
-                     velocity: Union[str, Vector, None] = None, until: Optional[int] = None, hold: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None,
+                     velocity: Union[str, Vector, None] = None, until: Optional[int] = None, hold: Optional[int] = None,
+                     on: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None,
                      radius: Optional[float] = None, facing: Optional[Mapping[str, Any]] = None, face_up: Optional[str] = None,
                      comment: Optional[str] = None) -> int:
         """Objects form points, a text, an image or the surface of a mesh at a frame (one of these four)."""
@@ -363,10 +366,17 @@ class Scene:
                 raise refusal(method, "shape", f"one of {names}", _schema.shown(entry["shape"]))
             self._make_room(method, "shapes", len(self.shapes))
             self._data.setdefault("shapes", {})[entry["shape"]] = {"builtin": entry["shape"]}
+        self._check_on(method, entry)
         taken = next((number for number in self._new_ids(entry) if number in self._ids), None)
         if taken is not None:
             raise refusal(method, "id", "an id that no object has", taken)
         return entry
+
+    def _check_on(self, method, entry):
+        """Refuses what is to go along with an obstacle that is not there."""
+        there = [obstacle.get("id", place) for place, obstacle in enumerate(self._data.get("obstacles", ()))]
+        if "on" in entry and entry["on"] not in there:
+            raise refusal(method, "on", f"the id of one of the scene's {len(there)} obstacles", entry["on"])
 
     def _new_ids(self, entry):
         count = entry["count"] if "count" in entry else len(entry["positions"]) if "positions" in entry else 1
@@ -388,6 +398,7 @@ class Scene:
     def _append_mark(self, method, entry):
         """Adds a row; its objects have to be there, its frames among those of the scene."""
         self._make_room(method, "constraints", len(self._data.get("constraints", ())))
+        self._check_on(method, entry)
         for name in ("object", "objects"):
             ids = entry.get(name, [])
             for number in ids if isinstance(ids, list) else [ids]:
