@@ -113,7 +113,7 @@ LEFT = {
     ("VortexFitFilter.md", "f(x, t) = exp("): FORMULA,
     ("VortexFitFilter.md", "minimise  sum_i"): FORMULA,
     ("bubbles-curve.md", "for number, bubble in"): EXCERPT,
-    ("feather-hand.md", "scene.add_mesh("): EXCERPT,
+    ("feather-hand.md", "hand = scene.add_mesh("): EXCERPT,
     ("leaves-gate.md", "scene.add_box("): EXCERPT,
     ("paper-desk.md", "scene.add_shape("): EXCERPT,
     ("petals-logo.md", "scene.add_shape("): EXCERPT,

@@ -25,6 +25,12 @@ def main():
         make().save(HERE / f"{make.__name__.replace('_', '-')}.waft.json")
 
 
+def ease(x):
+    """From 0 to 1, at rest at both ends."""
+    x = min(max(x, 0.0), 1.0)
+    return x * x * (3.0 - 2.0 * x)
+
+
 def rounded(point):
     return [round(value, 4) for value in point]
 
@@ -190,14 +196,14 @@ def feather_hand():
     scene.add_shape("feather", "feather", size=0.17, settling_speed=0.35, texture=SKINS / "feather-white.png")
     feather = scene.add_object("feather", (-0.55, 0.25, 1.75))
     motion = []
-    for frame in range(60, 161, 10):
-        s = (frame - 60) / 100.0
-        s = s * s * (3.0 - 2.0 * s)
-        motion.append({"frame": frame, "position": rounded((0.62 - 0.50 * s, 0.0, 0.42 + 0.16 * s))})
-    scene.add_mesh(HERE / "hand.obj", up="z", position=motion[0]["position"], motion=motion,
-                   comment="palm up; its origin is the middle of the palm. It comes from the right and waits")
+    for frame in range(60, 267, 6):  # towards the feather, giving way as it comes down, then up to the eyes
+        near, up = (ease((frame - begin) / length) for begin, length in ((60, 130), (196, 70)))
+        give = 0.08 * math.sin(math.pi * min(max((frame - 150) / 60.0, 0.0), 1.0))
+        motion.append({"frame": frame, "position": rounded((0.62 - 0.5 * near - 0.25 * up, -0.15 * up, 0.42 + 0.16 * near - give + 0.35 * up))})
+    hand = scene.add_mesh(HERE / "hand.obj", up="z", position=motion[0]["position"], motion=motion,
+                          comment="palm up; its origin is the middle of the palm. It never stands still while it has the feather")
     scene.add_position(feather, 110, (-0.15, -0.2, 1.3), radius=0.08, comment="a bow on the way")
-    scene.add_rest(feather, 225, rounded((0.10, 0.0, 0.9)), comment="on the palm, straight below this place")
+    scene.add_rest(feather, 205, (-0.02, 0.0, 0.3), on=hand, comment="on the palm, straight below this place of the hand")
     return scene
 
 
