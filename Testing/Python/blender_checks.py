@@ -812,10 +812,11 @@ class Times(unittest.TestCase):
         sheet.waft.first_frame, sheet.waft.order, sheet.waft.hold = 31, "outward", 10
         sheet.waft.leave, sheet.waft.leave_frame, sheet.waft.last_leave = "right", 51, 61
         box = next(thing for thing in self.scene.objects if thing.waft.role == "VOLUME")
-        box.waft.is_open = (True, False, True)
+        box.waft.is_open, box.waft.breeze = (True, False, True), (0.5, 0.7)
         self.scene.objects["Mark"].waft.role = "NONE"
         scene = self.read()
         self.assertEqual(["x", "top"], scene["domain"]["open"])
+        self.assertEqual({"breeze": [0.5, 0.0, 0.0]}, scene["air"])
         self.assertEqual([4, 7, 10, 13], sorted(entry["release"] for entry in scene["objects"]))
         self.assertEqual([("Leaf 1", True)], [(entry["_object"], entry["appears"]) for entry in scene["objects"] if "appears" in entry])
         self.assertNotIn("orientation", next(entry for entry in scene["objects"] if "appears" in entry))

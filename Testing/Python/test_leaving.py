@@ -12,6 +12,7 @@ import unittest
 import numpy as np
 import waft
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 FRAMES = 150
 COARSE = {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 0, "Starts": 1}
@@ -97,6 +98,26 @@ class LeavingTest(unittest.TestCase):
             self.assertLess(settled, until)
             self.assertFalse(np.ptp(path[settled:until + 1], axis=0).any())
             self.assertTrue(np.ptp(path[until:], axis=0).any())
+
+    def test_a_row_goes_to_a_place_in_a_breeze(self):
+        made = waft.Scene("To a place", seed=4)
+        made.set_time(FRAMES)
+        made.set_domain(open=["x"])
+        made.set_air(breeze=(0.5, 0, 0))
+        made.add_objects("petal", count=5, region={"min": (-1.2, -1.2, 1.4), "max": (0.2, 1.2, 2.2)})
+        made.add_keyframe(50, points=POINTS, hold=5, leave={"place": (1.4, 0, 1.2), "frame": 60, "fade": 6})
+        with tempfile.TemporaryDirectory() as folder:
+            run = waft.synthesize(made, output=pathlib.Path(folder) / "out", quality="preview", threads=1, keep=["air"],
+                                  _settings={"Assimilation": COARSE})
+            for body, leave in self.leaves(run):
+                self.assertGreater(leave, 66)
+                self.assertLess(np.linalg.norm(run.positions[body, leave - 6] - (1.4, 0, 1.2)), 0.3)
+            reader, means = vtkXMLImageDataReader(), []
+            for file in sorted((pathlib.Path(folder) / "out" / "air").glob("*.vti"))[::30]:
+                reader.SetFileName(str(file))
+                reader.Update()
+                means.append(vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("Velocity"))[:, 0].mean())
+            self.assertAlmostEqual(0.5, np.mean(means), delta=0.15)
 
 
 if __name__ == "__main__":

@@ -40,7 +40,7 @@ def everything():
     scene.set_time(60, 25.0)
     scene.set_domain((-3, -3, 0), (3, 3, 5))
     scene.set_ground(0.1)
-    scene.set_air(1.1)
+    scene.set_air(1.1, breeze=[0.0, 0.0, 0.0])
     scene.add_shape("red", "maple", size=0.12, settling_speed=0.8, color=(1, 0.2, 0), class_="red")
     one = scene.add_object("red", (0, 0, 3), velocity=(0, 0, -0.1), mass=0.001)
     many = scene.add_objects("leaf", count=5, region={"min": (-2, -2, 1.5), "max": (2, 2, 4)}, seed=2)

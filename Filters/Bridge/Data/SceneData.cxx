@@ -30,6 +30,10 @@ void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data)
   {
     AddInts(fields, names::Open, { info.Open.begin(), info.Open.end() });
   }
+  if (!info.Breeze.isZero())
+  {
+    AddDoubles(fields, names::Breeze, { info.Breeze.x(), info.Breeze.y(), info.Breeze.z() });
+  }
   vtkNew<vtkLongLongArray> seed;
   seed->SetName(names::Seed);
   seed->InsertNextValue(static_cast<long long>(info.Seed));
@@ -68,6 +72,18 @@ Result SceneInfoFromFieldData(vtkFieldData* fields, SceneInfo& info)
     for (int axis = 0; axis < 3; ++axis)
     {
       info.Open[static_cast<std::size_t>(axis)] = open->GetVariantValue(axis).ToInt() != 0 ? 1 : 0;
+    }
+  }
+  if (vtkDataArray* breeze = fields->GetArray(names::Breeze))
+  {
+    if (breeze->GetNumberOfValues() != 3)
+    {
+      return Result::Error("field data `Breeze`: expected 3 numbers, found " +
+                           std::to_string(breeze->GetNumberOfValues()));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      info.Breeze[axis] = breeze->GetVariantValue(axis).ToDouble();
     }
   }
   const std::string owner = "field data";

@@ -12,10 +12,14 @@ struct Leaving
   int From = -1;            // frame from which it goes; -1: it does not
   Vec3 Away = Vec3::Zero(); // unit, the way out of the volume; zero: it goes where it is
   int Fade = 0;             // frames in which it fades there
+  int HasPlace = 0;         // 1: it goes to a place, where it is gone
+  Vec3 Place = Vec3::Zero();
 
+  bool IsUnderway() const { return this->HasPlace != 0 || !this->Away.isZero(); }
   bool operator==(const Leaving& other) const
   {
-    return this->From == other.From && this->Away == other.Away && this->Fade == other.Fade;
+    return this->From == other.From && this->Away == other.Away && this->Fade == other.Fade &&
+           this->HasPlace == other.HasPlace && this->Place == other.Place;
   }
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -23,6 +27,8 @@ struct Leaving
     visit(of.From...);
     visit(of.Away...);
     visit(of.Fade...);
+    visit(of.HasPlace...);
+    visit(of.Place...);
   }
 };
 

@@ -109,6 +109,7 @@ struct SceneInfo
   Box Bounds;
   /// Whether bodies and air pass both ends of x, both of y, and the top; the floor is closed.
   std::array<int, 3> Open{ 0, 0, 0 };
+  Vec3 Breeze = Vec3::Zero(); // m/s, the mean flow, along axes that are open at both ends
   Timeline Time;
   double AirDensity = 1.2; // kg/m^3
   std::uint64_t Seed = 1;
@@ -137,6 +138,7 @@ struct SceneInfo
     visit(of.Open[0]...);
     visit(of.Open[1]...);
     visit(of.Open[2]...);
+    visit(of.Breeze...);
     visit(of.Time.NumberOfFrames...);
     visit(of.Time.FramesPerSecond...);
     visit(of.AirDensity...);

@@ -15,12 +15,14 @@ struct PortArrays
     "VelocityGiven byte; Orientation double*4 w, x, y, z; OrientationGiven byte; "
     "AngularVelocity double*3 rad/s; SettlingSpeed double m/s; ClassId int; "
     "ClearanceRadius double m; RestHeight double m; Release int; "
-    "Appears byte; LeaveFrom int; LeaveAway double*3; LeaveFade int; On int; Arrival int; "
+    "Appears byte; LeaveFrom int; LeaveAway double*3; LeaveFade int; LeaveHasPlace int; LeavePlace "
+    "double*3; On int; Arrival int; "
     "Leave int";
   const std::string Constraints =
     "points: ObjectId int; Frame int; Kind byte; Value double*4 of the kind; "
     "Radius double of the kind; Until int; Hold int; LeaveFrom int; "
-    "LeaveAway double*3; LeaveFade int; On int; FrameFrom int; Arrival int; Release int; "
+    "LeaveAway double*3; LeaveFade int; LeaveHasPlace int; LeavePlace double*3; On int; FrameFrom "
+    "int; Arrival int; Release int; "
     "Leave int; "
     "TouchDown int; "
     "Settled int; "

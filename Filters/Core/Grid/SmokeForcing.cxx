@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace waft
 {
 namespace
 {
+
+constexpr double BreezeTime = 1.0; // s
 
 std::array<float, 3> ToFloats(const Vec3& v)
 {
@@ -96,6 +99,55 @@ void SmokeSolver::Internals::AddWinds(double time, double dt, const ParallelFor&
   }
   this->AddField(this->Forces.Wind, time, dt, parallelFor, center, sum);
   this->AddSteering(parallelFor, sum);
+  this->AddBreeze(parallelFor, center, sum);
+}
+
+// Gusts of the volume's own push its mean off, and only what comes in brings it back.
+void SmokeSolver::Internals::AddBreeze(const ParallelFor& parallelFor,
+                                       const ConstVectorArrays& center,
+                                       const VectorArrays& sum) const
+{
+  const StaggeredLayout& layout = this->Layout;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (this->Options.Breeze[axis] == 0.0)
+    {
+      continue;
+    }
+    const auto forEachRow = [&](int k, const auto& act)
+    {
+      for (int j = 0; j < layout.N[1]; ++j)
+      {
+        act(layout.Index(0, j, k));
+      }
+    };
+    std::vector<double> planes(static_cast<std::size_t>(layout.N[2]));
+    ForPlanes(parallelFor, layout.N[2],
+              [&](int k)
+              {
+                forEachRow(k,
+                           [&](std::ptrdiff_t row)
+                           {
+                             planes[static_cast<std::size_t>(k)] += std::accumulate(
+                               center[axis] + row, center[axis] + row + layout.N[0], 0.0);
+                           });
+              });
+    const double mean =
+      std::accumulate(planes.begin(), planes.end(), 0.0) / layout.N[0] / layout.N[1] / layout.N[2];
+    const auto pull = static_cast<float>((this->Options.Breeze[axis] - mean) / BreezeTime);
+    ForPlanes(parallelFor, layout.N[2],
+              [&](int k)
+              {
+                forEachRow(k,
+                           [&](std::ptrdiff_t row)
+                           {
+                             for (std::ptrdiff_t p = row; p < row + layout.N[0]; ++p)
+                             {
+                               sum[axis][p] += pull;
+                             }
+                           });
+              });
+  }
 }
 
 // The field of one time: rows of its lattice between those of the cells, then along each row.

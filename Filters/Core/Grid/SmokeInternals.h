@@ -90,6 +90,8 @@ struct SmokeSolver::Internals
   void AddWinds(double time, double dt, const ParallelFor& parallelFor,
                 const ConstVectorArrays& center, const VectorArrays& sum) const;
   /// A sampled field at all cells: its acceleration, or what draws the air towards its velocity.
+  void AddBreeze(const ParallelFor& parallelFor, const ConstVectorArrays& center,
+                 const VectorArrays& sum) const;
   void AddField(const FieldSeries& field, double time, double dt, const ParallelFor& parallelFor,
                 const ConstVectorArrays& center, const VectorArrays& sum) const;
   void AddSteering(const ParallelFor& parallelFor, const VectorArrays& sum) const;
@@ -112,6 +114,11 @@ struct SmokeSolver::Internals
   bool Project(double dt, const ParallelFor& parallelFor, const std::function<bool()>& goOn);
   /// Without a step: the potential of that is no pressure, and is not kept.
   void ProjectAlone();
+  /// Of the air beyond an open end, the component along an axis; of what is no velocity (-1) 0.
+  float Outside(int axis) const
+  {
+    return axis < 0 ? 0.0f : static_cast<float>(this->Options.Breeze[axis]);
+  }
   void FinishVelocity();
   void FinishScalar(FloatArray& values) const;
 };

@@ -27,7 +27,7 @@ enum class AdvectionScheme
 enum class BoundaryKind
 {
   Closed,  // walls that the air slides along
-  Open,    // still air of zero pressure outside
+  Open,    // still air of zero pressure outside, or a breeze
   Periodic // the two ends are the same plane
 };
 
@@ -76,6 +76,8 @@ struct SmokeOptions : AirRun
   double Tolerance = 1e-4;
   int MaximumIterations = 200;
   double AirDensity = 1.2;
+  /// m/s: the air outside of open ends, and at first that inside, along axes that are open at both.
+  Vec3 Breeze = Vec3::Zero();
   /// Vortices and winds are left out at times at which they have less of their peak.
   double NegligibleForce = 1e-5;
 

@@ -40,13 +40,17 @@ void SmokeSolver::Internals::Prepare()
     }
   }
   const std::size_t size = this->Layout.Size();
-  for (std::array<FloatArray, 3>* field : { &this->Velocity, &this->NewVelocity, &this->Center,
-                                            &this->Vorticity, &this->Acceleration })
+  for (std::array<FloatArray, 3>* field :
+       { &this->NewVelocity, &this->Center, &this->Vorticity, &this->Acceleration })
   {
     for (FloatArray& component : *field)
     {
       component.assign(size, 0.0f);
     }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Velocity[axis].assign(size, this->Outside(axis));
   }
   const bool goesBothWays = options.Advection == AdvectionScheme::MacCormack;
   for (int axis = 0; axis < 3; ++axis)

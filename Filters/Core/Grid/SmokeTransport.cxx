@@ -79,7 +79,7 @@ void SmokeSolver::Internals::Advect(int faceAxis, const FloatArray& source, Floa
   {
     return;
   }
-  FillGhosts(layout, this->Ends, faceAxis, target.data());
+  FillGhosts(layout, this->Ends, faceAxis, target.data(), this->Outside(faceAxis));
   this->Returned.resize(layout.Size());
   forEachRow(
     this->Forwards, [&](std::ptrdiff_t row, const FootRow& feet)
@@ -122,11 +122,12 @@ void SmokeSolver::Internals::AdvectVelocity(double dt, const ParallelFor& parall
   {
     this->Advect(axis, this->Velocity[axis], this->NewVelocity[axis], parallelFor);
   }
-  // Transport alone makes no energy. The limited MacCormack scheme may make a little; that is taken
-  // back, so that without forces the energy never grows (the projection only removes some).
+  // Transport alone makes no energy but what a breeze brings. The limited MacCormack scheme may
+  // make a little; that is taken back, so that without forces the energy never grows (the
+  // projection only removes some).
   const double before = this->Energy(this->Velocity, parallelFor);
   const double after = this->Energy(this->NewVelocity, parallelFor);
-  if (after > before)
+  if (after > before && this->Options.Breeze.isZero())
   {
     const float scale = static_cast<float>(std::sqrt(before / after));
     for (FloatArray& component : this->NewVelocity)
@@ -188,7 +189,7 @@ void SmokeSolver::Internals::FinishVelocity()
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    FillGhosts(this->Layout, this->Ends, axis, this->Velocity[axis].data());
+    FillGhosts(this->Layout, this->Ends, axis, this->Velocity[axis].data(), this->Outside(axis));
   }
 }
 

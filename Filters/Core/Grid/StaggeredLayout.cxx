@@ -8,7 +8,7 @@ namespace waft
 namespace
 {
 
-// The sample that a ghost copies; -1: zero.
+// The sample that a ghost copies; -1: what is outside.
 int SourceOf(int at, int count, int period, const std::array<EndKind, 2>& ends)
 {
   const EndKind end = at < 0 ? ends[0] : ends[1];
@@ -24,13 +24,14 @@ int SourceOf(int at, int count, int period, const std::array<EndKind, 2>& ends)
   return -1;
 }
 
-// A slice across an axis that is copied from another, or set to 0.
+// A slice across an axis that is copied from another, or set to what is outside.
 struct Copy
 {
-  int To, From; // From < 0: zeros
+  int To, From; // From < 0: outside
 };
 
-void CopySlice(const StaggeredLayout& layout, int axis, const Copy& copy, float* values)
+void CopySlice(const StaggeredLayout& layout, int axis, const Copy& copy, float outside,
+               float* values)
 {
   constexpr int g = StaggeredLayout::Ghosts;
   std::array<int, 3> low{ -g, -g, -g };
@@ -44,14 +45,15 @@ void CopySlice(const StaggeredLayout& layout, int axis, const Copy& copy, float*
       float* row = values + layout.Index(0, j, k);
       for (int i = low[0]; i <= high[0]; ++i)
       {
-        row[i] = copy.From < 0 ? 0.0f : row[i + shift];
+        row[i] = copy.From < 0 ? outside : row[i + shift];
       }
     }
   }
 }
 
 // All slices across x at once: each row is fetched once.
-void CopyAlongRows(const StaggeredLayout& layout, const std::vector<Copy>& copies, float* values)
+void CopyAlongRows(const StaggeredLayout& layout, const std::vector<Copy>& copies, float outside,
+                   float* values)
 {
   constexpr int g = StaggeredLayout::Ghosts;
   for (int k = -g; k <= layout.N[2] + g; ++k)
@@ -61,7 +63,7 @@ void CopyAlongRows(const StaggeredLayout& layout, const std::vector<Copy>& copie
       float* row = values + layout.Index(0, j, k);
       for (const Copy& copy : copies)
       {
-        row[copy.To] = copy.From < 0 ? 0.0f : row[copy.From];
+        row[copy.To] = copy.From < 0 ? outside : row[copy.From];
       }
     }
   }
@@ -69,7 +71,8 @@ void CopyAlongRows(const StaggeredLayout& layout, const std::vector<Copy>& copie
 
 } // namespace
 
-void FillGhosts(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis, float* values)
+void FillGhosts(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis, float* values,
+                float outside)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -88,12 +91,12 @@ void FillGhosts(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxi
     }
     if (axis == 0)
     {
-      CopyAlongRows(layout, copies, values);
+      CopyAlongRows(layout, copies, outside, values);
       continue;
     }
     for (const Copy& copy : copies)
     {
-      CopySlice(layout, axis, copy, values);
+      CopySlice(layout, axis, copy, outside, values);
     }
   }
 }

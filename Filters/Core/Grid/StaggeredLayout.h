@@ -45,12 +45,13 @@ struct StaggeredLayout
 enum class EndKind : unsigned char
 {
   Wall,    // ghosts repeat the last sample
-  Outside, // ghosts are zero: still, clean air
+  Outside, // ghosts are what is outside: still, clean air, or a breeze
   Wrap     // ghosts are the samples of the other end
 };
 using AxisEnds = std::array<std::array<EndKind, 2>, 3>;
 
 /// Fills the ghosts of an array on the faces of faceAxis (-1: cell centres).
-void FillGhosts(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis, float* values);
+void FillGhosts(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis, float* values,
+                float outside = 0.0f);
 
 } // namespace waft

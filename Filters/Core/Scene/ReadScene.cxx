@@ -130,6 +130,34 @@ void SceneReader::ReadInfo(const SceneNode& root)
     const SceneNode air = root.At("air", "");
     air.CheckFields("air");
     air.Take("density", info.AirDensity);
+    this->ReadBreeze(air);
+  }
+}
+
+void SceneReader::ReadBreeze(const SceneNode& air)
+{
+  if (!air.Has("breeze") ||
+      (air.At("breeze", "").IsString() && air.At("breeze", "").Text() == "none"))
+  {
+    return;
+  }
+  const SceneNode node = air.At("breeze", "");
+  if (!node.IsArray())
+  {
+    node.Fail("a vector [x, y, z] or \"none\"");
+  }
+  SceneInfo& info = this->Out.Info;
+  info.Breeze = node.Vector();
+  constexpr const char* axes = "xyz";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const bool isOpen = axis < 2 && info.Open[axis] != 0;
+    if (info.Breeze[static_cast<int>(axis)] != 0.0 && !isOpen)
+    {
+      node.FailWith(std::string("expected 0 along ") + axes[axis] +
+                    (axis < 2 ? ", whose sides are closed" : ", as the floor is closed") +
+                    ", found " + NumberText(info.Breeze[static_cast<int>(axis)]));
+    }
   }
 }
 

@@ -235,6 +235,15 @@ std::vector<Leaving> SceneReader::ReadLeavings(const SceneNode& leave,
   leave.Take("share", share);
   Leaving leaving;
   leaving.Away = this->ReadAway(leave);
+  leaving.HasPlace = leave.Take("place", leaving.Place) ? 1 : 0;
+  if (leaving.HasPlace != 0 && !leaving.Away.isZero())
+  {
+    leave.At("place", "").FailWith("expected either `side`, `direction` or `place`");
+  }
+  if (leaving.HasPlace != 0 && this->Out.Info.Bounds.InnerDistance(leaving.Place) < 0.0)
+  {
+    leave.At("place", "").Fail("a place in the volume");
+  }
   leaving.Fade = leave.Has("fade") ? this->Frame(leave.At("fade", "")) : 0;
   std::vector<Leaving> all(targets.size());
   for (std::size_t t = 0; t < targets.size(); ++t)
@@ -276,8 +285,13 @@ void SceneReader::ReadLeave(const SceneNode& node, const std::vector<Target>& ta
       arrives = std::max(arrives, own.Frame);
     }
   }
+  std::vector<Target> there = targets; // in the world, whatever they are on
+  for (std::size_t t = 0; t < rows.size(); ++t)
+  {
+    there[t].Position = rows[t]->Value;
+  }
   const std::vector<Leaving> leavings =
-    this->ReadLeavings(node.At("leave", ""), targets, arrives, row);
+    this->ReadLeavings(node.At("leave", ""), there, arrives, row);
   for (std::size_t t = 0; t < rows.size(); ++t)
   {
     rows[t]->Goes = leavings[t];

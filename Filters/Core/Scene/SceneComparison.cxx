@@ -73,7 +73,8 @@ bool IsSameShape(const Shape& a, const Shape& b)
 
 bool AreAlike(const Leaving& a, const Leaving& b)
 {
-  return a.From == b.From && IsNear(a.Away, b.Away) && a.Fade == b.Fade;
+  return a.From == b.From && IsNear(a.Away, b.Away) && a.Fade == b.Fade &&
+         a.HasPlace == b.HasPlace && IsNear(a.Place, b.Place);
 }
 
 bool IsSameObject(const MotionObject& a, const MotionObject& b)

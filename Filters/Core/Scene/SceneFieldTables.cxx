@@ -252,7 +252,11 @@ std::vector<SceneFieldTable> SceneTables()
       { { "height", Value::Number, Coordinate, "m; default: the volume's floor" },
         SceneField("enabled", Value::Flag).Or("true") },
       "a closed slab below its height; an obstacle" },
-    { "air", { SceneField("density", Value::Number, Density, "kg/m^3").Or("1.2") } },
+    { "air",
+      { SceneField("density", Value::Number, Density, "kg/m^3").Or("1.2"),
+        SceneField("breeze", Value::Vector, Velocity, "m/s, mean flow along x and y that are open")
+          .Among({ "none" })
+          .Or("\"none\"") } },
   };
 }
 
@@ -323,6 +327,8 @@ std::vector<SceneFieldTable> ConstraintTables()
           .Among({ "left", "right", "front", "back", "top" }),
         SceneField("direction", Value::Vector, Direction,
                    "not zero, in the place of a side; without either it goes where it is"),
+        SceneField("place", Value::Vector, Coordinate,
+                   "m, in the place of a side: it goes there, and is gone"),
         Ordered("who goes when", { "letters", "words", "lines" }).Or("\"random\""),
         SpreadOver("over the window"),
         SceneField("share", Value::Number, UpTo(1.0), "of the objects that go, by chance").Or("1"),

@@ -18,6 +18,10 @@ SceneJson FormatLeaving(const Leaving& leaving)
   {
     json["direction"] = FormatVector(leaving.Away);
   }
+  if (leaving.HasPlace != 0)
+  {
+    json["place"] = FormatVector(leaving.Place);
+  }
   if (leaving.Fade > 0)
   {
     json["fade"] = leaving.Fade;

@@ -90,6 +90,7 @@ private:
 
   // ReadScene.cxx
   void ReadInfo(const SceneNode& root);
+  void ReadBreeze(const SceneNode& air);
   int Frame(const SceneNode& node) const;
   std::string File(const SceneNode& node) const;
   /// Fails at `node` when `load`, which its value asks for, does.

@@ -105,6 +105,10 @@ void SceneFormat::WriteInfo()
     }
   }
   this->Root["air"] = { { "density", info.AirDensity } };
+  if (!info.Breeze.isZero())
+  {
+    this->Root["air"]["breeze"] = FormatVector(info.Breeze);
+  }
 }
 
 // What the reader would not take is not written.

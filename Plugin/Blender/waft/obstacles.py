@@ -69,6 +69,9 @@ def add_volume(stage, things, has_ground):
     sides = [side for side, is_open in zip(("x", "y", "top"), thing.waft.is_open) if is_open]
     if sides:
         stage.scene["domain"]["open"] = sides
+        breeze = [float(speed) if is_open else 0.0 for speed, is_open in zip(thing.waft.breeze, thing.waft.is_open)]
+        if any(breeze):
+            stage.scene["air"] = {"breeze": [*breeze, 0.0]}
     stage.scene["ground"] = {"enabled": has_ground, "height": float(low[2])}
     stage.low, stage.high = low, high
     stage.widest = float((high - low).max())

@@ -139,6 +139,8 @@ def _draw_volume(layout, settings):
     row.label(text="Open")
     for index, name in enumerate(("x", "y", "top")):
         row.prop(settings, "is_open", index=index, text=name, toggle=True)
+    if any(settings.is_open[:2]):
+        layout.prop(settings, "breeze")
 
 
 def _of_kind(settings, is_turned=False):

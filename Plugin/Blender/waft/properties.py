@@ -88,6 +88,8 @@ class ObjectSettings(bpy.types.PropertyGroup):
     last_leave: IntProperty(override=_OWN, name="Last Leave", default=0, min=0,
                             description="They go one by one up to this frame, from left to right; 0: all at Leave Frame")
     is_open: BoolVectorProperty(override=_OWN, name="Open Sides", size=3, description="Flyers and air pass both ends of x, of y, the top")
+    breeze: FloatVectorProperty(override=_OWN, name="Breeze", size=2, default=(0.0, 0.0), precision=2,
+                                description="Mean flow along x and y, in m/s, through sides that are open")
     until: IntProperty(override=_OWN, name="Until", default=0, description="Last frame of a rest; 0: the scene's last")
     radius: FloatProperty(override=_OWN, name="Radius", default=0.0, min=0.0, subtype="DISTANCE", unit="LENGTH",
                           description="How far from it is near enough; 0: exactly there")

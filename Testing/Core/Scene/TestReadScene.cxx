@@ -46,8 +46,8 @@ TEST(ReadScene, EveryFieldOfTheGlobalSections)
 {
   const Scene scene = Parsed(R"({"waft": 1, "_note": [1, "a comment"], "title": "T", "seed": 42,
     "time": {"frames": 120, "framesPerSecond": 24, "_x": 1},
-    "domain": {"min": [-1, -2, -3], "max": [3, 2, 1]}, "ground": {"height": -2.5},
-    "air": {"density": 1.1},
+    "domain": {"min": [-1, -2, -3], "max": [3, 2, 1], "open": ["x"]}, "ground": {"height": -2.5},
+    "air": {"density": 1.1, "breeze": [0.4, 0, 0]},
     "winds": [{"direction": [0, 3, 4], "strength": 0.5, "center": [1, 2, 3], "radius": 0.7,
                "centerTime": 1.5, "duration": 2}],
     "vortices": [{"p1": [0, 0, 0], "p2": [0, 0, 2], "strength": -0.4, "centerTime": 3,
@@ -58,6 +58,7 @@ TEST(ReadScene, EveryFieldOfTheGlobalSections)
   EXPECT_EQ(scene.Info.Time.FramesPerSecond, 24.0);
   EXPECT_EQ(scene.Info.Bounds.Max, Vec3(3.0, 2.0, 1.0));
   EXPECT_EQ(scene.Info.AirDensity, 1.1);
+  EXPECT_EQ(scene.Info.Breeze, Vec3(0.4, 0.0, 0.0));
   ASSERT_EQ(scene.Winds.size(), 1u);
   EXPECT_LT((scene.Winds[0].Direction - Vec3(0.0, 0.6, 0.8)).norm(), 1e-15);
   EXPECT_EQ(scene.Winds[0].Radius, 0.7);

@@ -152,6 +152,7 @@ private:
   std::vector<std::pair<int, Vec3>> Passed; // frames and places of exact positions
   std::vector<Stay> Stays;                  // where it hangs or is held, in no order
   FlightRoom Space;                         // where it may be
+  int AtPlace = -1;                         // frame at which it is where it goes to, to be gone
   std::vector<DriftRow> DriftRows;
   std::vector<PositionBall> Balls;
   std::vector<DifferenceRow> Differences;

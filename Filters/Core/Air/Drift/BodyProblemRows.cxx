@@ -80,20 +80,28 @@ void BodyProblem::AddDifference(const Constraint& row)
   }
 }
 
-// Beyond the side in time, in a ball so wide that it is as good as all that is there.
+// At a place in time, or beyond the side, in a ball so wide that it is as good as all that is
+// there.
 void BodyProblem::AddLeaving(const Constraint& row)
 {
-  if (row.Goes.From < 0 || row.Goes.Away.isZero())
+  if (row.Goes.From < 0 || !row.Goes.IsUnderway())
   {
     return;
   }
   const SceneInfo& scene = this->World.Scene;
+  const bool hasPlace = row.Goes.HasPlace != 0;
   const double way =
-    scene.Bounds.WayOut(row.Value, row.Goes.Away) + 2.0 * this->Body.ClearanceRadius;
+    hasPlace ? (row.Goes.Place - row.Value).norm()
+             : scene.Bounds.WayOut(row.Value, row.Goes.Away) + 2.0 * this->Body.ClearanceRadius;
   const double seconds = way / LeavingSpeed + LeavingDelay;
   const auto frame =
     row.Goes.From + static_cast<int>(std::lround(seconds * scene.Time.FramesPerSecond));
-  if (frame < this->NumberOfFrames())
+  this->AtPlace = hasPlace ? frame : -1;
+  if (frame < this->NumberOfFrames() && hasPlace)
+  {
+    this->DriftRows.push_back({ { { frame, 1.0 } }, row.Goes.Place, this->Body.ClearanceRadius });
+  }
+  else if (frame < this->NumberOfFrames())
   {
     const double wide = WideBall * scene.Bounds.Size().maxCoeff();
     this->DriftRows.push_back(

@@ -115,9 +115,10 @@ const Constraint* BodyProblem::LeavingRow() const
 int BodyProblem::GoneFrom(const std::vector<Vec3>& path) const
 {
   const Constraint* leaving = this->LeavingRow();
-  if (leaving != nullptr && leaving->Goes.Away.isZero())
+  if (leaving != nullptr && (leaving->Goes.HasPlace != 0 || leaving->Goes.Away.isZero()))
   {
-    const int gone = std::max(this->FreeFrom(), leaving->Goes.From + leaving->Goes.Fade);
+    const int there = leaving->Goes.HasPlace != 0 ? this->AtPlace : leaving->Goes.From;
+    const int gone = std::max(this->FreeFrom(), there + leaving->Goes.Fade);
     return gone < this->NumberOfFrames() ? gone : -1;
   }
   const int last = this->World.Scene.IsOpen() ? this->NumberOfFrames() - 1 : -1;

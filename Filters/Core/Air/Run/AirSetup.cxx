@@ -142,6 +142,7 @@ AirScene SetUpScene(const AirContext& run)
     const bool isOpen = run.Input.Scene.Open[axis] != 0;
     smoke.Boundary[axis] = isOpen ? BoundaryKind::Open : BoundaryKind::Closed; // never the floor
   }
+  smoke.Breeze = run.Input.Scene.Breeze;
   smoke.BuoyancyTemperature = 0.0;
   smoke.AirDensity = run.Input.Scene.AirDensity;
   smoke.NegligibleForce = StirringLeast;

@@ -128,7 +128,7 @@ Result LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies
   for (const BodyProblem& body : bodies.Problems)
   {
     const Constraint* leaving = body.LeavingRow();
-    const bool goesOut = leaving != nullptr && !leaving->Goes.Away.isZero();
+    const bool goesOut = leaving != nullptr && leaving->Goes.IsUnderway();
     which.push_back(body.FreeFrom() < frames && !goesOut ? 1 : 0);
   }
   SilentMonitor silent; // it is short, and a motion without it would not be whole

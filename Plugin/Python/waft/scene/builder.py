@@ -70,7 +70,7 @@ class Scene:
         self._set("set_ground", "ground", locals(), "domain")
 
     @documented("air")
-    def set_air(self, density: Optional[float] = None, *, comment: Optional[str] = None) -> None:
+    def set_air(self, density: Optional[float] = None, *, breeze: Union[str, Vector, None] = None, comment: Optional[str] = None) -> None:
         """The air that carries the objects."""
         self._set("set_air", "air", locals())
 
