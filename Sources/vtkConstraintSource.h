@@ -48,6 +48,7 @@ public:
   WaftProperty(int, Frame);
   WaftProperty(int, FrameFrom);
   WaftProperty(int, Hold);
+  WaftFlag(Drift);
   WaftProperty(int, On);
   WaftProperty(int, LastFrame);
   WaftProperty(int, Until);

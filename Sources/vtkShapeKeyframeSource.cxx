@@ -175,6 +175,7 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
     row.FrameFrom = options.FrameFrom;
     row.IsOpenWindow = options.FrameFrom >= 0 && parts.empty();
     row.Hold = options.Rest ? 0 : options.Hold;
+    row.Drifts = options.Drift && row.Hold > 0 ? 1 : 0;
     row.On = options.On;
     if (!parts.empty())
     {

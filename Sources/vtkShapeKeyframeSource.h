@@ -65,6 +65,7 @@ public:
   WaftProperty(int, FrameFrom);
   WaftProperty(int, Order);
   WaftProperty(int, Hold);
+  WaftFlag(Drift);
   WaftProperty(int, On);
   WaftFlag(Rest);
   WaftProperty(int, Until);

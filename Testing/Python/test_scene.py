@@ -52,7 +52,7 @@ def everything():
     scene.add_rest(-1, 50, (1, 1, 1), until=55)
     scene.add_path(given[0], 5, [(2, 2, 3.9), (2, 2, 3.88)], radius=0.2)
     scene.add_keyframe(55, text="L", origin=(0, 0, 1), v=(0, 0, 1), width=2, count=4, objects=many[:4], assign="inOrder")
-    scene.add_keyframe(57, points=[(0, 0, 1)], velocity="rest", until=59)
+    scene.add_keyframe(57, points=[(0, 0, 1)], velocity="rest", until=59, face_up="up")
     scene.add_keyframe(50, image=os.path.join(SCENES, "star.png"), origin=(0, 0, 2), width=2)
     box = scene.add_box((2, 2, 0.1), (3, 3, 1), motion=[{"frame": 0, "position": (2.5, 2.5, 0.6)}])
     scene.add_sphere((-2, -2, 1), 0.2, id=7)

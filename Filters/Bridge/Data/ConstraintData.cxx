@@ -155,6 +155,8 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
   AddColumn(arrays, names::Hold, constraints, &Constraint::Hold);
+  AddColumn(arrays, names::Drift, constraints, &Constraint::Drifts);
+  AddColumn(arrays, names::HoldRadius, constraints, &Constraint::HoldRadius);
   AddLeavings(constraints, arrays);
   AddColumn(arrays, names::On, constraints, &Constraint::On);
   AddColumn(arrays, names::FrameFrom, constraints, &Constraint::FrameFrom);
@@ -203,6 +205,8 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::Hold, &Constraint::Hold));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Drift, &Constraint::Drifts));
+  WAFT_RETURN_IF_FAILED(readOptional(names::HoldRadius, &Constraint::HoldRadius));
   WAFT_RETURN_IF_FAILED(ReadLeavings(source, read));
   WAFT_RETURN_IF_FAILED(readOptional(names::On, &Constraint::On));
   WAFT_RETURN_IF_FAILED(readOptional(names::FrameFrom, &Constraint::FrameFrom));

@@ -78,12 +78,12 @@ Box VolumeAboveGround(const Scene& scene)
 
 Quality FlownQuality(const Scene& scene, Quality wanted)
 {
-  const bool comeAndGo = std::any_of(scene.Objects.begin(), scene.Objects.end(),
-                                     [](const MotionObject& object) {
-                                       return object.FirstPresent() > 0 || object.Goes.From >= 0;
-                                     }) ||
-                         std::any_of(scene.Constraints.begin(), scene.Constraints.end(),
-                                     [](const Constraint& row) { return row.Goes.From >= 0; });
+  const bool comeAndGo =
+    std::any_of(scene.Objects.begin(), scene.Objects.end(),
+                [](const MotionObject& object)
+                { return object.FirstPresent() > 0 || object.Goes.From >= 0; }) ||
+    std::any_of(scene.Constraints.begin(), scene.Constraints.end(),
+                [](const Constraint& row) { return row.Goes.From >= 0 || row.Drifts != 0; });
   return (comeAndGo || scene.Info.IsOpen()) && RunsAt(ChainStage::Spacetime, wanted) ? Quality::Air
                                                                                      : wanted;
 }

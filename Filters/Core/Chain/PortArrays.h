@@ -20,7 +20,7 @@ struct PortArrays
     "Leave int";
   const std::string Constraints =
     "points: ObjectId int; Frame int; Kind byte; Value double*4 of the kind; "
-    "Radius double of the kind; Until int; Hold int; LeaveFrom int; "
+    "Radius double of the kind; Until int; Hold int; Drift int; HoldRadius double; LeaveFrom int; "
     "LeaveAway double*3; LeaveFade int; LeaveHasPlace int; LeavePlace double*3; On int; FrameFrom "
     "int; Arrival int; Release int; "
     "Leave int; "

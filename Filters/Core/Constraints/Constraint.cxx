@@ -108,8 +108,11 @@ void SetHolds(int lastFrame, std::vector<Constraint>& rows)
   {
     if (row.Hold > 0)
     {
-      const int held = std::min(last[keyOf(row)] + row.Hold, lastFrame);
-      row.Until = row.Goes.From >= 0 ? std::max(row.Frame, row.Goes.From) : held;
+      const int all = last[keyOf(row)];
+      const int held = std::min(all + row.Hold, lastFrame);
+      row.Until = row.Drifts != 0      ? std::min(all, lastFrame)
+                  : row.Goes.From >= 0 ? std::max(row.Frame, row.Goes.From)
+                                       : held;
     }
   }
 }

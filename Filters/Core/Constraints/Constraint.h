@@ -139,9 +139,11 @@ struct Constraint
   int Until = 0;                       // rest or hold lasts from Frame to this frame
   /// Of a position: frames for which it stays there once all of its Row have come (SetHolds).
   int Hold = 0;
-  Leaving Goes;       // of a position or rest: how its object goes after it
-  int On = -1;        // the obstacle with which a position or rest goes along; -1: none
-  int FrameFrom = -1; // where a window was asked for, its first frame
+  int Drifts = 0;          // 1: what is held goes along with its form as that drifts
+  double HoldRadius = 0.0; // m, in which it is then of its place in the form; 0: its length
+  Leaving Goes;            // of a position or rest: how its object goes after it
+  int On = -1;             // the obstacle with which a position or rest goes along; -1: none
+  int FrameFrom = -1;      // where a window was asked for, its first frame
   /// It is met at one of the frames from FrameFrom to Frame, of which the air has chosen none yet.
   bool IsOpenWindow = false;
   int TouchDown = -1;        // of a rest: comes to its surface at this frame; -1: at Frame
@@ -173,6 +175,8 @@ struct Constraint
     visit(of.Leave...);
     visit(of.Until...);
     visit(of.Hold...);
+    visit(of.Drifts...);
+    visit(of.HoldRadius...);
     visit(of.Goes...);
     visit(of.On...);
     visit(of.FrameFrom...);
@@ -226,8 +230,15 @@ inline void SetArrival(int frame, const Vec3& place, Constraint& row)
 }
 
 /// The Until of all that stay for a while: from the frame at which the last of their Row comes, or
-/// may come, at most to the last frame; of who leaves, the frame at which it goes.
+/// may come, at most to the last frame; of who leaves, the frame at which it goes. Of those whose
+/// form drifts, the frame from which it does.
 void SetHolds(int lastFrame, std::vector<Constraint>& rows);
+/// The last frame at which the form of a row that Drifts holds it.
+inline int FormEnd(const Constraint& row, int lastFrame)
+{
+  const int held = std::min(std::max(row.Frame, row.Until) + row.Hold, lastFrame);
+  return row.Goes.From >= 0 ? std::max(std::max(row.Frame, row.Until), row.Goes.From) : held;
+}
 
 /// The earliest frame at which a row may be met.
 inline int EarliestFrame(const Constraint& row)

@@ -52,6 +52,7 @@ Result ConstraintOptions::TakeTimes(const ConstraintTraits& kind, Constraint& ro
   row.FrameFrom = this->FrameFrom;
   row.IsOpenWindow = this->FrameFrom >= 0;
   row.Hold = this->Hold;
+  row.Drifts = this->Drift && this->Hold > 0 ? 1 : 0;
   row.On = kind.IsPositional ? this->On : -1;
   return Result::Ok();
 }

@@ -21,6 +21,7 @@ struct ConstraintOptions
   int Frame = 150;
   int FrameFrom = -1;
   int Hold = 0;
+  bool Drift = false;
   int On = -1;
   int LastFrame = -1;
   int Until = -1;
@@ -59,6 +60,10 @@ struct ConstraintOptions
     visit(OptionField{ "Hold", limits::UpTo(limits::MostInt), "",
                        "Frames for which it stays there, still; not of rests." },
           of.Hold...);
+    visit(FlagField("Drift",
+                    "What is held drifts as one form, and each object stays near its place "
+                    "in it."),
+          of.Drift...);
     visit(
       OptionField{ "On",
                    { -1, limits::MostInt },

@@ -35,6 +35,7 @@ struct KeyframeOptions
   int FrameFrom = -1;
   int Order = 0; // 0: by the air, else 1 + PlaceOrder
   int Hold = 0;
+  bool Drift = false;
   int On = -1;
   bool Rest = true;
   int Until = -1;
@@ -95,6 +96,10 @@ struct KeyframeOptions
     visit(OptionField{ "Hold", limits::UpTo(limits::MostInt), "",
                        "Frames for which all stay once the last has come, still; not of rests." },
           of.Hold...);
+    visit(FlagField("Drift",
+                    "What is held drifts as one form, and each object stays near its place "
+                    "in it."),
+          of.Drift...);
     visit(OptionField{ "On",
                        { -1, limits::MostInt },
                        "",

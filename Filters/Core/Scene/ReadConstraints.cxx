@@ -166,20 +166,33 @@ void SceneReader::ReadSides(const SceneNode& node, Constraint& constraint)
 
 void SceneReader::ReadHold(const SceneNode& node, Constraint& constraint) const
 {
-  if (!node.Has("hold"))
+  bool drifts = false;
+  node.Take("drift", drifts);
+  if (node.Take("holdRadius", constraint.HoldRadius) && !drifts)
   {
-    return;
+    node.At("holdRadius", "").FailWith("expected `holdRadius` only with `drift`");
   }
-  const SceneNode hold = node.At("hold", "");
-  constraint.Hold = static_cast<int>(
-    hold.Integer(0, this->Out.Info.Time.NumberOfFrames - 1, "a number of frames of the scene"));
+  if (node.Has("hold"))
+  {
+    constraint.Hold = static_cast<int>(
+      node.At("hold", "")
+        .Integer(0, this->Out.Info.Time.NumberOfFrames - 1, "a number of frames of the scene"));
+  }
+  constraint.Drifts = drifts ? 1 : 0;
+  if (drifts && (constraint.Hold == 0 || node.Has("on")))
+  {
+    node.At("drift", "")
+      .FailWith(
+        "expected `drift` only with `hold`, and not `on` an obstacle, which takes it along");
+  }
   if (constraint.Hold > 0 && IsRest(constraint.Kind))
   {
-    hold.FailWith("expected `hold` only where objects do not rest: `until` says how long they lie");
+    node.At("hold", "")
+      .FailWith("expected `hold` only where objects do not rest: `until` says how long they lie");
   }
   if (constraint.Hold > 0 && constraint.Radius > 0.0)
   {
-    hold.FailWith("expected `hold` only with radius 0: who is held is at its place");
+    node.At("hold", "").FailWith("expected `hold` only with radius 0: who is held is at its place");
   }
 }
 

@@ -97,7 +97,8 @@ bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
          a.Side == b.Side && IsNear(a.Facing, b.Facing) &&
          (a.Facing.isZero() || IsNear(a.FacingTolerance, b.FacingTolerance)) &&
          IsNear(a.Radius, b.Radius) && (a.Until == b.Until || !IsLasting(a)) && a.Hold == b.Hold &&
-         AreAlike(a.Goes, b.Goes) && a.On == b.On &&
+         a.Drifts == b.Drifts && IsNear(a.HoldRadius, b.HoldRadius) && AreAlike(a.Goes, b.Goes) &&
+         a.On == b.On &&
          (IsAttitude(a.Kind) ? IsNear(a.Orientation, b.Orientation) : IsNear(a.Value, b.Value));
 }
 

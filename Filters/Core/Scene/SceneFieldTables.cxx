@@ -76,9 +76,16 @@ Fields Times()
   };
 }
 
-SceneField Hold(const char* sentence)
+/// How long what comes stays, and how.
+Fields Hold(const char* sentence)
 {
-  return SceneField("hold", Value::Whole, Frame, sentence).Or("0");
+  return { SceneField("hold", Value::Whole, Frame, sentence).Or("0"),
+           SceneField(
+             "drift", Value::Flag,
+             "of a hold: all drift as one form, by a translation, a turn and a little strain")
+             .Or("false"),
+           { "holdRadius", Value::Number, Distance,
+             "m, in which each is of its place in a form that drifts; default: its length" } };
 }
 
 SceneField Leave()
@@ -307,10 +314,10 @@ std::vector<SceneFieldTable> ObjectTables()
 std::vector<SceneFieldTable> ConstraintTables()
 {
   return {
-    { "positionConstraint",
-      OfPlacedRow("position") + Fields{ Asked(Value::Vector, Coordinate, "m"),
-                                        Hold("frames for which it stays there, still"), Leave(),
-                                        Radius(Distance, "m; 0: exact"), Facing() } },
+    { "positionConstraint", OfPlacedRow("position") +
+                              Fields{ Asked(Value::Vector, Coordinate, "m") } +
+                              Hold("frames for which it stays there, still") +
+                              Fields{ Leave(), Radius(Distance, "m; 0: exact"), Facing() } },
     { "window",
       { FrameOf("from", "the first frame of the window").Required(),
         FrameOf("to", "the last one, not before `from`").Required() } },
@@ -366,10 +373,10 @@ std::vector<SceneFieldTable> ConstraintTables()
           SceneField("velocity", Value::Vector, Velocity, "m/s; rest: the bodies lie from then on")
             .Among({ "none", "rest" })
             .Or("\"none\""),
-          FrameOf("until", "of rest; default: the last frame"),
-          Hold("frames for which all stay there, still, once the last has come; not of rest"),
-          Leave(), Radius(Distance, "m; 0: exact"), Facing("not of rest"),
-          FaceUp("of rest: the side that looks up (up: its z axis)") } },
+          FrameOf("until", "of rest; default: the last frame") } +
+        Hold("frames for which all stay there, still, once the last has come; not of rest") +
+        Fields{ Leave(), Radius(Distance, "m; 0: exact"), Facing("not of rest"),
+                FaceUp("of rest: the side that looks up (up: its z axis)") } },
   };
 }
 

@@ -106,6 +106,14 @@ void FormatStay(const Constraint& row, SceneJson& json)
   if (row.Hold > 0)
   {
     json["hold"] = row.Hold;
+    if (row.Drifts != 0)
+    {
+      json["drift"] = true;
+    }
+    if (row.HoldRadius > 0.0)
+    {
+      json["holdRadius"] = row.HoldRadius;
+    }
   }
   if (row.Goes.From >= 0)
   {
@@ -115,7 +123,8 @@ void FormatStay(const Constraint& row, SceneJson& json)
 
 bool StayAlike(const Constraint& a, const Constraint& b)
 {
-  return a.Hold == b.Hold && a.Goes == b.Goes && a.On == b.On;
+  return a.Hold == b.Hold && a.Drifts == b.Drifts && a.HoldRadius == b.HoldRadius &&
+         a.Goes == b.Goes && a.On == b.On;
 }
 
 /// Whether the targets of a keyframe may be rows of this kind.

@@ -129,7 +129,7 @@ def _draw_mark(layout, settings):
 
 def _draw_target(layout, settings):
     for name in ("group", "frame", "first_frame", *(("order",) if settings.first_frame else ()), "on", "radius", "kind", *_of_kind(settings),
-                 *(("hold",) if settings.kind != "REST" else ()), "leave",
+                 *(("hold", *(("drift",) if settings.hold else ())) if settings.kind != "REST" else ()), "leave",
                  *(("leave_frame", "last_leave") if settings.leave != "STAY" else ()), "count"):
         layout.prop(settings, name)
 

@@ -80,6 +80,8 @@ class ObjectSettings(bpy.types.PropertyGroup):
                              description="Of a window that ends at Frame, in which each flyer comes at a frame of its own; 0: all at Frame")
     order: EnumProperty(override=_OWN, name="Order", items=ORDERS, default="air")
     hold: IntProperty(override=_OWN, name="Hold", default=0, min=0, description="Frames for which flyers stay there, still, once all have come")
+    drift: BoolProperty(override=_OWN, name="Drift", description="While it is held the form drifts as one, and each flyer stays near its place "
+                                                                 "in it")
     on: PointerProperty(override=_OWN, name="On", type=bpy.types.Object, poll=lambda _, thing: thing.waft.role == "OBSTACLE",
                         description="The obstacle that it goes along with: a flyer until its release, a mark or target from its frame on; "
                                     "none: the one that a mark or target is a child of")

@@ -122,6 +122,8 @@ class Stage:
                 times["order"] = settings.order
         if settings.hold and settings.kind != "REST":
             times["hold"] = settings.hold
+            if settings.drift:
+                times["drift"] = True
         if last is None or not self._add_leave(thing, frame, times):
             return None
         return times

@@ -34,15 +34,15 @@ std::string WhyNotWritten(const Scene& scene)
 
 void ExpectSameRows(const std::vector<Constraint>& a, const std::vector<Constraint>& b)
 {
-  test::ExpectSameItems("row", a, b,
-                        [](const Constraint& item)
-                        {
-                          return std::tie(item.ObjectId, item.Frame, item.Kind, item.Value,
-                                          item.Orientation.coeffs(), item.Radius, item.Until,
-                                          item.Row, item.Target, item.Group, item.ClassId,
-                                          item.Side, item.Facing, item.FacingTolerance,
-                                          item.FrameFrom, item.IsOpenWindow, item.On);
-                        });
+  test::ExpectSameItems(
+    "row", a, b,
+    [](const Constraint& item)
+    {
+      return std::tie(item.ObjectId, item.Frame, item.Kind, item.Value, item.Orientation.coeffs(),
+                      item.Radius, item.Until, item.Row, item.Target, item.Group, item.ClassId,
+                      item.Side, item.Facing, item.FacingTolerance, item.FrameFrom,
+                      item.IsOpenWindow, item.On, item.Hold, item.Drifts, item.HoldRadius);
+    });
 }
 
 void ExpectSameObjects(const std::vector<MotionObject>& a, const std::vector<MotionObject>& b)
@@ -136,6 +136,8 @@ const char* const Full =
     {"kind": "path", "object": 2, "firstFrame": 20, "points": [[0, 0, 1], [0, 0.1, 1]], "radius": 0.02},
     {"kind": "path", "object": 2, "firstFrame": 30, "points": [[0, 0.2, 1]]},
     {"kind": "rest", "object": 3, "frame": 30, "until": 40, "value": [0, 0.2, 1], "on": 9},
+    {"kind": "position", "object": 4, "frame": 30, "value": [0, 0.2, 1], "hold": 9, "drift": true,
+      "holdRadius": 0.2},
     {"kind": "keyframe", "frame": 40, "targets": {"points": [[0, 0, 1], [0.1, 0, 1]]}, "on": 9},
     {"kind": "keyframe", "frame": 55, "targets": {"text": "L", "origin": [0, 0, 0.5], "width": 2},
       "velocity": "rest", "until": 80, "faceUp": "up"},

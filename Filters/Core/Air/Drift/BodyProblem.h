@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Air/Drift/Drift.h"
+#include "Air/Drift/Formation.h"
 #include "Base/Random.h"
 #include "Constraints/Constraint.h"
 #include "Constraints/KeptDistances.h"
@@ -24,6 +25,7 @@ struct DriftScene
   const SceneInfo& Scene;
   const ObstacleSet& Obstacles;
   bool Inertia = false;
+  const std::vector<Formation>* Formations = nullptr; // of rows that drift; null: none yet
 };
 
 /// Of a path between two of its frames.
@@ -130,6 +132,7 @@ private:
   bool IsLetGoAt(int frame) const;
   void AddRows();
   void AddDifference(const Constraint& row);
+  void AddFormation(const Constraint& row);
   void AddLeaving(const Constraint& row);
   Clearance AskedAt(int frame) const;
   void CloseBarrierGaps(std::vector<Vec3>& path) const;

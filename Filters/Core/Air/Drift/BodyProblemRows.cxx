@@ -33,10 +33,11 @@ void BodyProblem::AddRows()
           {
             this->Passed.emplace_back(frame, place.At(frame));
           }
-          if (row.Hold > 0)
+          if (row.Hold > 0 && (row.Drifts == 0 || last > row.Frame))
           {
             this->Stays.push_back({ row.Frame, last, place });
           }
+          this->AddFormation(row);
         }
         else
         {
@@ -77,6 +78,31 @@ void BodyProblem::AddDifference(const Constraint& row)
   {
     this->Differences.push_back(exact);
     this->DriftRows.push_back(sought);
+  }
+}
+
+// Near its place in the form until that ends, or half a second before another row.
+void BodyProblem::AddFormation(const Constraint& row)
+{
+  const bool drifts = row.Drifts != 0 && this->World.Formations != nullptr;
+  const Formation* form = drifts ? FindFormation(*this->World.Formations, row) : nullptr;
+  if (form == nullptr)
+  {
+    return;
+  }
+  int end = std::min(form->End, this->NumberOfFrames() - 1);
+  for (const Constraint& other : this->Wanted)
+  {
+    const auto before = static_cast<int>(0.5 * this->World.Scene.Time.FramesPerSecond);
+    end = other.Frame > row.Frame && IsPositional(other.Kind) ? std::min(end, other.Frame - before)
+                                                              : end;
+  }
+  const double radius = row.HoldRadius > 0.0 ? row.HoldRadius : 2.0 * this->Body.ClearanceRadius;
+  for (int frame = form->Begin + 1; frame <= end; ++frame)
+  {
+    const Vec3 place = form->At(row.Value, frame);
+    this->Balls.push_back({ frame, 0, place, radius });
+    this->DriftRows.push_back({ { { frame, 1.0 } }, place, radius });
   }
 }
 

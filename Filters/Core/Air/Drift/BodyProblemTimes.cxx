@@ -99,7 +99,8 @@ int BodyProblem::FreeFrom() const
   {
     if (row.Row != OfNoRow || !IsRest(row.Kind)) // it lies by itself
     {
-      first = std::max(first, LastFrame(row) + (IsRest(row.Kind) ? second : 1));
+      const int last = row.Drifts != 0 ? FormEnd(row, this->NumberOfFrames() - 1) : LastFrame(row);
+      first = std::max(first, last + (IsRest(row.Kind) ? second : 1));
     }
   }
   return first;

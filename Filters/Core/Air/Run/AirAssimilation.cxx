@@ -109,6 +109,7 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
     }
     if (!result.IsStopped())
     {
+      WAFT_RETURN_IF_FAILED(MoveFormations(run, state.Sampled.Velocity, state.Bodies, output));
       result = FirstDrift(run, state, output);
     }
     WAFT_RETURN_IF_FAILED(result);

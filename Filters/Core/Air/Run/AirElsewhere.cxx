@@ -67,13 +67,14 @@ struct ToldRun
 {
   MotionProblem Problem; // of the Tracks their places alone
   AssimilationOptions Options;
+  std::vector<Formation> Formations;
   bool HasSolids = false;
 };
 
 template <class Told>
 void MoveRun(StateArchive& stream, Told& told)
 {
-  stream.Values(told.Problem, told.HasSolids);
+  stream.Values(told.Problem, told.Formations, told.HasSolids);
   AssimilationOptions::VisitAir(stream, told.Options);
 }
 
@@ -106,6 +107,7 @@ ToldRun ToldOf(const AirContext& run)
     told.Problem.Tracks.back().Positions = run.Plans[o];
   }
   told.Options = run.Options;
+  told.Formations = run.Formations;
   told.HasSolids = run.Search.HasSolids;
   return told;
 }
@@ -191,6 +193,7 @@ struct AirElsewhere::Heard
     Run(this->Input, this->Options, this->None, this->Parallel, this->Silent)
   {
     this->Run.Search.HasSolids = told.HasSolids;
+    this->Run.Formations = std::move(told.Formations);
   }
 
   AssimilationInput Input;

@@ -65,7 +65,7 @@ struct AirContext
              const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor) :
     Input(input),
     Rows(input.Constraints), Options(options), Solids(solids), Parallel(parallel),
-    Caller(monitor), Around{ input.Scene, this->Obstacles, options.Inertia }
+    Caller(monitor), Around{ input.Scene, this->Obstacles, options.Inertia, &this->Formations }
   {
     for (const Track& track : input.Tracks)
     {
@@ -91,6 +91,7 @@ struct AirContext
   const AssimilationInput& Input;
   std::vector<Constraint> Rows;         // the input's; who goes where may be chosen by the air
   std::vector<std::vector<Vec3>> Plans; // by track, the input's or a drift to other marks
+  std::vector<Formation> Formations;    // of rows that drift, once there is an air
   const AssimilationOptions& Options;
   const SolidsOn& Solids;
   const ParallelFor& Parallel;

@@ -278,4 +278,56 @@ Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
   return SetUpBodies(run, bodies, output);
 }
 
+Result MoveFormations(AirContext& run, const HalfSeries& series, AirBodies& bodies,
+                      AssimilationOutput& output)
+{
+  std::map<int, const MotionObject*> objects;
+  for (const MotionObject& object : run.Input.Objects)
+  {
+    objects[object.ObjectId] = &object;
+  }
+  const int last = run.Input.Scene.Time.NumberOfFrames - 1;
+  std::map<std::pair<int, int>, Formation> forms;
+  std::map<std::pair<int, int>, std::vector<FormationPlace>> places;
+  for (const Constraint& row : run.Rows)
+  {
+    const auto object = objects.find(row.ObjectId);
+    if (row.Drifts == 0 || !IsBinding(row, output.Report) || object == objects.end())
+    {
+      continue;
+    }
+    const std::pair<int, int> key(row.Group >= 0 ? 1 : 0, row.Group >= 0 ? row.Group : row.Row);
+    Formation& form = forms[key];
+    form.IsGroup = key.first;
+    form.Number = key.second;
+    form.Begin = std::max(row.Frame, row.Until);
+    form.End = std::max(form.End, FormEnd(row, last));
+    places[key].push_back(
+      { row.Value, LawOf(*object->second).SettlingSpeed(), 2.0 * object->second->ClearanceRadius });
+  }
+  const AirSampler air(series);
+  bool isNew = false;
+  std::vector<Formation> all;
+  for (auto& [key, form] : forms)
+  {
+    const auto known = std::find_if(run.Formations.begin(), run.Formations.end(),
+                                    [&form = form](const Formation& one)
+                                    {
+                                      return one.IsGroup == form.IsGroup &&
+                                             one.Number == form.Number && one.Begin == form.Begin &&
+                                             one.End == form.End;
+                                    });
+    const bool isKnown = known != run.Formations.end();
+    if (!isKnown)
+    {
+      MoveFormation(places[key], air, run.Obstacles, run.Input.Scene, form);
+    }
+    all.push_back(isKnown ? *known : form);
+    isNew = isNew || !isKnown;
+  }
+  run.Formations = std::move(all);
+  run.IsTold = run.IsTold && !isNew;
+  return isNew ? SetUpBodies(run, bodies, output) : Result::Ok();
+}
+
 } // namespace waft

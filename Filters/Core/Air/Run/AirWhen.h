@@ -33,4 +33,9 @@ std::vector<int> FramesOf(const AirContext& run, const Constraint& row,
 Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
                   AssimilationOutput& output, int& chosen);
 
+/// How the forms that drift do so in an air; one that is known already, of the same frames, stays.
+/// Bodies are set up anew where there is a new one.
+Result MoveFormations(AirContext& run, const HalfSeries& series, AirBodies& bodies,
+                      AssimilationOutput& output);
+
 } // namespace waft

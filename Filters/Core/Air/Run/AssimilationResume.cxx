@@ -22,6 +22,7 @@ AssimilationState Kept(const AirContext& run, const AirState& state,
   kept.Key = KeyOf(run.Input, run.Options, run.Rows);
   kept.Who = WhoOf(run);
   kept.Plans = PlansOf(run);
+  kept.Formations = run.Formations;
   kept.Candidate = state.Candidate;
   kept.Forces = state.Scene.Forces;
   kept.Forces.Wind = FieldSeries();
@@ -123,6 +124,7 @@ bool Resume(AirContext& run, CheckpointFile& checkpoint, AirState& state,
   {
     return false;
   }
+  run.Formations = kept.Formations;
   if (!TakeWho(kept.Who, kept.Plans, run, state.Bodies, output))
   {
     return false;
@@ -160,13 +162,15 @@ bool TakeEdit(AirContext& run, const AssimilationState* memory, AirState& state,
       return false;
     }
   }
+  run.Formations = kept.Formations;
   if (!kept.IsFinished || !kept.Key.IsOfSameAir(run.Key) || !HasPaths(kept, run) ||
       !TakeWho(kept.Who, kept.Plans, run, state.Bodies, output))
   {
     return false;
   }
   int chosen = 0;
-  if (!ChooseWhen(run, kept.Air->Velocity, state.Bodies, output, chosen))
+  if (!ChooseWhen(run, kept.Air->Velocity, state.Bodies, output, chosen) ||
+      !MoveFormations(run, kept.Air->Velocity, state.Bodies, output))
   {
     return false;
   }

@@ -2,6 +2,7 @@
 // How far an assimilation has come: what it goes on from after a stop, or after an edit.
 #pragma once
 
+#include "Air/Drift/Formation.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Grid/SmokeSolver.h"
 #include "Store/StateFile.h"
@@ -64,6 +65,7 @@ struct AssimilationState
   std::vector<AssimilationRound> Table;
   std::vector<int> Who;                 // WhoOf(run)
   std::vector<std::vector<Vec3>> Plans; // of tracks that are not planned as the input has it
+  std::vector<Formation> Formations;
 
   /// All but the airs, whose bytes are packed.
   template <class Visitor, class... Holder>
@@ -83,12 +85,13 @@ struct AssimilationState
     visit(of.Table...);
     visit(of.Who...);
     visit(of.Plans...);
+    visit(of.Formations...);
   }
 
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-inline constexpr StateKind AssimilationKind = { "assimilation", 9 };
+inline constexpr StateKind AssimilationKind = { "assimilation", 10 };
 
 void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel);
 void ReadSeries(StateArchive& stream, HalfSeries& series);

@@ -11,7 +11,7 @@ from waft.failures import InputError
 from waft.files import whole_file, write_text
 from waft.reading import json_of, read_json, read_text
 from waft.scene import _schema
-from waft.scene._entries import documented, entry_of, refusal, sensible
+from waft.scene._entries import argument_name, documented, entry_of, refusal, sensible
 from waft.scene._sense import classes_of, last_frame, last_frames, latest, targets_of
 
 Frame = Union[int, Mapping[str, int]]  # or a window {"from": frame, "to": frame}
@@ -126,7 +126,7 @@ class Scene:
     @documented("positionConstraint")
     def add_position(self, object: int, frame: Frame, value: Vector, *, order: Optional[Order] = None,
                      spread: Optional[str] = None, on: Optional[int] = None, hold: Optional[int] = None,
-                     leave: Optional[Mapping[str, Any]] = None, radius: Optional[float] = None,
+                     drift: Optional[bool] = None, hold_radius: Optional[float] = None, leave: Optional[Mapping[str, Any]] = None, radius: Optional[float] = None,
                      facing: Optional[Mapping[str, Any]] = None, comment: Optional[str] = None) -> int:
         """An object is at a place at a frame. Returns the row, as all constraints do."""
         return self._add_mark("add_position", "position", locals())
@@ -172,7 +172,7 @@ class Scene:
                      classes: Union[Iterable[str], Mapping[str, Vector], None] = None,
                      objects: Optional[Iterable[int]] = None, assign: Optional[str] = None,
                      velocity: Union[str, Vector, None] = None, until: Optional[int] = None, hold: Optional[int] = None,
-                     on: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None,
+                     drift: Optional[bool] = None, hold_radius: Optional[float] = None, on: Optional[int] = None, leave: Optional[Mapping[str, Any]] = None,
                      radius: Optional[float] = None, facing: Optional[Mapping[str, Any]] = None, face_up: Optional[str] = None,
                      comment: Optional[str] = None) -> int:
         """Objects form points, a text, an image or the surface of a mesh at a frame (one of these four)."""
@@ -181,7 +181,7 @@ class Scene:
         if len(kinds) != 1:
             raise refusal("add_keyframe", " or ".join(_TARGETS), "one of these", f"{len(kinds)} of them")
         definition = _TARGETS[kinds[0]]
-        own = _schema.definition("keyframeConstraint")["properties"]
+        own = {argument_name(field) for field in _schema.definition("keyframeConstraint")["properties"]}
         others = {name: value for name, value in given.items() if name not in own and name != "comment"}
         targets = self._with_files("add_keyframe", definition, entry_of("add_keyframe", definition, others))
         known = classes_of(self._data)
