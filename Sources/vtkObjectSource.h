@@ -58,6 +58,9 @@ public:
   WaftProperty(int, Release);
   WaftProperty(int, LastRelease);
   WaftFlag(Appears);
+  WaftFlag(OpenX);
+  WaftFlag(OpenY);
+  WaftFlag(OpenTop);
   WaftProperty(int, On);
   WaftOpenProperty(int, ClassId);
   WaftOpenProperty(double, Mass);

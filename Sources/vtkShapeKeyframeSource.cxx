@@ -138,13 +138,25 @@ waft::Result Drawing::Draw(vtkDataObject* input)
   return this->DrawSurface(input);
 }
 
-/// Of each target, where they come one after another; else nothing.
+constexpr std::uint64_t LeaveStream = 0x6c65617665;
+constexpr int AlongTheArrow = waft::NumberOfPlaceOrders + 1;
+
+/// Of each target, where they come or go one after another; else nothing.
 std::vector<double> PartsOf(const Drawing& drawing)
 {
   const waft::KeyframeOptions& options = drawing.Options;
-  if (options.FrameFrom < 0 || options.Order == 0)
+  if (options.Order == 0)
   {
     return {};
+  }
+  if (options.Order == AlongTheArrow)
+  {
+    std::vector<double> keys;
+    for (const waft::Vec3& x : drawing.Positions)
+    {
+      keys.push_back(x.dot(options.OrderTo - options.OrderFrom));
+    }
+    return waft::PartsByKey(keys);
   }
   const bool isDrawn = options.Shape != waft::DrawnShape::Surface;
   const waft::Vec3 u = isDrawn ? options.U : waft::Vec3::UnitX();
@@ -161,7 +173,13 @@ std::vector<double> PartsOf(const Drawing& drawing)
 std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
 {
   const waft::KeyframeOptions& options = drawing.Options;
-  const std::vector<double> parts = PartsOf(drawing);
+  const std::vector<double> order = PartsOf(drawing);
+  const std::vector<double> parts = options.FrameFrom >= 0 ? order : std::vector<double>();
+  const std::vector<double> leaving =
+    order.empty() ? waft::PartsByChance(drawing.Positions.size(), options.Seed, LeaveStream)
+                  : order;
+  const waft::FrameWindow goes{ options.LeaveFrame,
+                                std::max(options.LeaveFrame, options.LastLeave) };
   const waft::FrameWindow window{ options.FrameFrom, options.Frame };
   const int last = options.NumberOfFrames - 1;
   std::vector<waft::Constraint> rows;
@@ -177,6 +195,13 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
     row.Hold = options.Rest ? 0 : options.Hold;
     row.Drifts = options.Drift && row.Hold > 0 ? 1 : 0;
     row.On = options.On;
+    if (options.Leave > 0)
+    {
+      row.Goes.From = waft::FrameAt(goes, waft::TimeSpread::Even, leaving[k]);
+      row.Goes.Away = options.Leave > 1 ? waft::SidesOut[options.Leave - 2].Direction()
+                                        : waft::Vec3(waft::Vec3::Zero());
+      row.Until = options.Rest ? std::min(row.Until, row.Goes.From) : row.Until;
+    }
     if (!parts.empty())
     {
       waft::SetArrival(waft::FrameAt(window, waft::TimeSpread::Even, parts[k]),

@@ -64,6 +64,11 @@ public:
   WaftProperty(int, Frame);
   WaftProperty(int, FrameFrom);
   WaftProperty(int, Order);
+  WaftVector(double, OrderFrom, 3);
+  WaftVector(double, OrderTo, 3);
+  WaftProperty(int, Leave);
+  WaftProperty(int, LeaveFrame);
+  WaftProperty(int, LastLeave);
   WaftProperty(int, Hold);
   WaftFlag(Drift);
   WaftProperty(int, On);

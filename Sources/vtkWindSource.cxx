@@ -24,8 +24,7 @@ waft::Result MakeWind(const waft::WindSourceOptions& options, waft::Scene& scene
                       waft::SceneWind& wind)
 {
   scene.Info = options.Info();
-  scene.Winds.resize(1);
-  WAFT_RETURN_IF_FAILED(options.Make(scene.Winds.front()));
+  WAFT_RETURN_IF_FAILED(options.Make(scene));
   return wind.Build(scene, waft::VtkSceneAssets());
 }
 
@@ -80,7 +79,7 @@ int vtkWindSource::RequestData(vtkInformation*, vtkInformationVector**,
   vtkImageData* image = vtkImageData::GetData(outputs);
   const double time = waft::RequestedTime(outputs, 0, scene.Info.Time);
   waft::FieldSeriesToImage(wind.At(time), time, scene.Info, image);
-  waft::AuthoredToFieldData(waft::AuthoredWind(scene.Winds.front()), image);
+  waft::AuthoredToFieldData(waft::AuthoredWinds(scene), image);
   (void)waft::RequestedTime(outputs, 0, scene.Info.Time); // filling has cleared the stamp
   return 1;
 }

@@ -4,9 +4,10 @@
  * @brief   a wind of the artist's, made by hand
  *
  * Output port 0, Wind (vtkImageData, time-varying): `Wind` [m/s^2], Strength along Direction at
- * Center, less beside it and before and after CenterTime as a bell is; on a lattice over Bounds
- * whose spacing is a sixteenth of its width or half of Radius. The field data `Bounds`,
- * `NumberOfFrames`, `FramesPerSecond` describe the scene.
+ * Center, less beside it and before and after CenterTime as a bell is, or, as a front, along
+ * Heading over Width behind an edge that travels; on a lattice over Bounds whose spacing is a
+ * sixteenth of its width or half of Radius. The field data `Bounds`, `NumberOfFrames`,
+ * `FramesPerSecond` describe the scene.
  */
 #ifndef vtkWindSource_h
 #define vtkWindSource_h
@@ -29,10 +30,16 @@ public:
   vtkTypeMacro(vtkWindSource, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  WaftProperty(int, Kind);
   WaftVector(double, Direction, 3);
   WaftOpenProperty(double, Strength);
   WaftVector(double, Center, 3);
   WaftOpenProperty(double, Radius);
+  WaftVector(double, Origin, 3);
+  WaftVector(double, Heading, 3);
+  WaftOpenProperty(double, Speed);
+  WaftOpenProperty(double, Width);
+  WaftProperty(int, StartFrame);
   WaftOpenProperty(double, CenterTime);
   WaftOpenProperty(double, Duration);
   WaftVector(double, Bounds, 6);

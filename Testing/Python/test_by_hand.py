@@ -133,3 +133,27 @@ class ByHandTest(unittest.TestCase):
         UpdatePipeline(proxy=scene)
         simple.SaveData(self.file("saved.waft.json"), proxy=scene)
         self.check_copy(self.file("saved.waft.json"))
+
+    def test_fronts_arrows_and_leaving_are_written_as_an_artist_would(self):
+        objects = simple.ObjectSource(Layout="Row", NumberOfObjects=4, OpenX=1, OpenTop=1)
+        word = simple.ShapeKeyframeSource(Frame=150, FrameFrom=120, NumberOfTargets=4, Width=1.5, Rest=0, Hold=30, Drift=1, Order="Along the Arrow",
+                                          OrderFrom=[1.0, 0, 0], OrderTo=[-1.0, 0, 0], Leave="Right", LeaveFrame=200, LastLeave=230)
+        front = simple.WindSource(Kind="Front", Heading=[2, 0, 0], Speed=3.0, Width=6.0, Strength=5.0, StartFrame=195, Origin=[-1.5, 0, 2])
+        writer = simple.MotionSceneWriter(Objects=objects, Constraints=word, Wind=front, FileName=self.file("gone.waft.json"))
+        UpdatePipeline(proxy=writer)
+        with open(self.file("gone.waft.json"), encoding="utf-8") as stream:
+            written = json.load(stream)
+        self.assertEqual(["x", "top"], written["domain"]["open"])
+        self.assertEqual([{"kind": "front", "direction": [1.0, 0.0, 0.0], "speed": 3.0, "strength": 5.0, "width": 6.0, "startFrame": 195,
+                           "origin": [-1.5, 0.0, 2.0]}], written["winds"])
+        reader = simple.MotionSceneReader(FileName=self.file("gone.waft.json"))
+        UpdatePipeline(proxy=reader)
+        rows, made = data_of(reader, 1).GetPointData(), data_of(word).GetPointData()
+        frames = [made.GetArray("Frame").GetValue(k) for k in range(4)]
+        self.assertEqual([120, 130, 140, 150], sorted(frames))
+        places = [data_of(word).GetPoint(k)[0] for k in range(4)]
+        self.assertEqual(sorted(frames), [frame for _, frame in sorted(zip(places, frames), reverse=True)])  # from the right
+        for name in ("Frame", "Hold", "Drift", "LeaveFrom"):
+            self.assertEqual([made.GetArray(name).GetValue(k) for k in range(4)], [rows.GetArray(name).GetValue(k) for k in range(4)], name)
+        self.assertEqual([200, 210, 220, 230], sorted(made.GetArray("LeaveFrom").GetValue(k) for k in range(4)))
+        self.assertEqual((1.0, 0.0, 0.0), made.GetArray("LeaveAway").GetTuple(0))

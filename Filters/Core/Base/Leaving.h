@@ -6,6 +6,21 @@
 namespace waft
 {
 
+/// By what side an object may go out, seen from the front, -y: its axis and sign.
+struct SideOut
+{
+  const char* Name;
+  int Axis;
+  double Sign;
+
+  Vec3 Direction() const { return this->Sign * Vec3::Unit(this->Axis); }
+};
+inline constexpr SideOut SidesOut[] = { { "left", 0, -1.0 },
+                                        { "right", 0, 1.0 },
+                                        { "front", 1, -1.0 },
+                                        { "back", 1, 1.0 },
+                                        { "top", 2, 1.0 } };
+
 /// How an object goes out of the shot.
 struct Leaving
 {

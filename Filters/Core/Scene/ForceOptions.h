@@ -10,6 +10,8 @@
 namespace waft
 {
 
+struct Scene;
+
 /// What comes and goes over time as a bell does.
 struct PassingForce : SceneFrame
 {
@@ -62,19 +64,35 @@ struct VortexSourceOptions : PassingForce
   }
 };
 
+enum class WindKind
+{
+  Gust = 0,
+  Front = 1
+};
+
 struct WindSourceOptions : PassingForce
 {
+  WindKind Kind = WindKind::Gust;
   Vec3 Direction{ 1.0, 0.0, 0.0 };
   double Strength = 1.0;
   Vec3 Center{ 0.0, 0.0, 2.0 };
   double Radius = 1.0;
+  Vec3 Origin{ -2.0, 0.0, 2.0 };
+  Vec3 Heading{ 1.0, 0.0, 0.0 };
+  double Speed = 2.5;
+  double Width = 8.0;
+  int StartFrame = 0;
 
-  /// Fails where Direction is 0.
-  Result Make(AnalyticWind& wind) const;
+  /// The one wind or front of a scene. Fails where Direction, or the Heading of a front, is 0.
+  Result Make(Scene& scene) const;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
+    visit(
+      OptionField{
+        "Kind", { 0, 1 }, "", "A gust about a place and a time, or a front whose edge travels." },
+      of.Kind...);
     visit(OptionField{ "Direction", limits::Direction, "",
                        "Where the wind blows; its length does not matter." },
           of.Direction...);
@@ -84,6 +102,21 @@ struct WindSourceOptions : PassingForce
     visit(
       OptionField{ "Center", limits::Coordinate, "m", "Where the wind is strongest, in metres." },
       of.Center...);
+    visit(OptionField{ "Origin", limits::Coordinate, "m",
+                       "A point on the edge of a front at Start Frame, in metres." },
+          of.Origin...);
+    visit(OptionField{ "Heading", limits::Direction, "",
+                       "Where a front goes and blows; its length does not matter." },
+          of.Heading...);
+    visit(
+      OptionField{ "Speed", limits::Speed, "m/s", "Of the edge of a front, in metres per second." },
+      of.Speed...);
+    visit(OptionField{ "Width", limits::Length, "m",
+                       "Over which a front blows behind its edge, in metres." },
+          of.Width...);
+    visit(OptionField{ "StartFrame", limits::UpTo(limits::MostInt), "",
+                       "Frame at which the edge of a front is at Origin." },
+          of.StartFrame...);
     visit(OptionField{ "Radius", limits::Length, "m",
                        "Standard deviation of its strength about the centre, in metres." },
           of.Radius...);
@@ -91,7 +124,7 @@ struct WindSourceOptions : PassingForce
   }
 };
 
-/// A scene file of this wind alone, as AuthoredScene keeps what made a field.
-std::string AuthoredWind(const AnalyticWind& wind);
+/// A scene file of these winds alone, as AuthoredScene keeps what made a field.
+std::string AuthoredWinds(const Scene& scene);
 
 } // namespace waft

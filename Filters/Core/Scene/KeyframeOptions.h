@@ -2,12 +2,14 @@
 // One keyframe, made by hand: targets that together draw a text, a picture or a surface.
 #pragma once
 
+#include "Base/Leaving.h"
 #include "Base/SceneFrame.h"
 #include "Constraints/Arrivals.h"
 #include "Scene/FacingOptions.h"
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -33,10 +35,15 @@ struct KeyframeOptions
   int NumberOfTargets = 0;
   int Frame = 250;
   int FrameFrom = -1;
-  int Order = 0; // 0: by the air, else 1 + PlaceOrder
+  int Order = 0; // 0: by the air, else 1 + PlaceOrder; the last: along the arrow
+  Vec3 OrderFrom{ -1.0, 0.0, 0.1 };
+  Vec3 OrderTo{ 1.0, 0.0, 0.1 };
   int Hold = 0;
   bool Drift = false;
   int On = -1;
+  int Leave = 0; // 0: they stay, 1: they fade, else 2 + index of SidesOut
+  int LeaveFrame = 280;
+  int LastLeave = -1;
   bool Rest = true;
   int Until = -1;
   double Radius = 0.0;
@@ -88,11 +95,31 @@ struct KeyframeOptions
                        "of its own in it; -1: at Frame." },
           of.FrameFrom...);
     visit(OptionField{ "Order",
-                       { 0, NumberOfPlaceOrders },
+                       { 0, NumberOfPlaceOrders + 1 },
                        "",
                        "Who comes when in a window: at the frames of least control (Air), or one "
                        "after another." },
           of.Order...);
+    visit(OptionField{ "OrderFrom", limits::Coordinate, "m",
+                       "Where the arrow begins along which they come, in metres." },
+          of.OrderFrom...);
+    visit(OptionField{ "OrderTo", limits::Coordinate, "m", "Where it ends, in metres." },
+          of.OrderTo...);
+    visit(OptionField{ "Leave",
+                       { 0, 1 + static_cast<double>(std::size(SidesOut)) },
+                       "",
+                       "How the objects go out of the shot after that: by no means, by fading "
+                       "where they are, or by an open side (Open X, Open Top of the objects)." },
+          of.Leave...);
+    visit(OptionField{ "LeaveFrame", limits::UpTo(limits::MostInt), "",
+                       "Frame from which they go, the first of them." },
+          of.LeaveFrame...);
+    visit(OptionField{ "LastLeave",
+                       { -1, limits::MostInt },
+                       "",
+                       "Frame from which the last of them goes, in the Order of a window, else by "
+                       "chance; -1: all at Leave Frame." },
+          of.LastLeave...);
     visit(OptionField{ "Hold", limits::UpTo(limits::MostInt), "",
                        "Frames for which all stay once the last has come, still; not of rests." },
           of.Hold...);

@@ -45,11 +45,15 @@ struct ObjectOptions : SceneFrame
   double ClearanceRadius = 0.05;
   double RestHeight = 0.0;
   double AirDensity = 1.2;
+  bool OpenX = false;
+  bool OpenY = false;
+  bool OpenTop = false;
 
   SceneInfo Info() const
   {
     SceneInfo info = this->SceneFrame::Info();
     info.AirDensity = this->AirDensity;
+    info.Open = { this->OpenX ? 1 : 0, this->OpenY ? 1 : 0, this->OpenTop ? 1 : 0 };
     return info;
   }
 
@@ -158,6 +162,9 @@ struct ObjectOptions : SceneFrame
     visit(OptionField{ "AirDensity", limits::Density, "kg/m^3",
                        "Density of the air in kilograms per cubic metre." },
           of.AirDensity...);
+    visit(FlagField("OpenX", "Bodies and air pass both ends of the volume along x."), of.OpenX...);
+    visit(FlagField("OpenY", "Bodies and air pass both ends of the volume along y."), of.OpenY...);
+    visit(FlagField("OpenTop", "Bodies and air pass the top of the volume."), of.OpenTop...);
     SceneFrame::Visit(visit, of...);
   }
 

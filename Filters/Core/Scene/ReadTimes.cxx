@@ -15,12 +15,6 @@ namespace
 constexpr std::uint64_t OrderStream = 0x6f72646572;
 constexpr std::uint64_t LeaveStream = 0x6c65617665;
 constexpr std::uint64_t ShareStream = 0x7368617265;
-/// Seen from the front, -y: axis and sign.
-constexpr std::pair<const char*, std::pair<int, double>> Sides[] = { { "left", { 0, -1.0 } },
-                                                                     { "right", { 0, 1.0 } },
-                                                                     { "front", { 1, -1.0 } },
-                                                                     { "back", { 1, 1.0 } },
-                                                                     { "top", { 2, 1.0 } } };
 constexpr const char* Orders =
   "air, left-to-right, right-to-left, top-down, bottom-up, outward, inward, random, letters, "
   "words, lines, {\"direction\": [x, y, z]} or a list of ranks";
@@ -194,14 +188,13 @@ Vec3 SceneReader::ReadAway(const SceneNode& leave) const
     return Vec3::Zero();
   }
   const SceneNode side = leave.At("side", "");
-  const auto* found = std::find_if(std::begin(Sides), std::end(Sides),
-                                   [&](const auto& one) { return side.Text() == one.first; });
-  if (found == std::end(Sides))
+  const auto* found = std::find_if(std::begin(SidesOut), std::end(SidesOut),
+                                   [&](const SideOut& one) { return side.Text() == one.Name; });
+  if (found == std::end(SidesOut))
   {
     side.Fail("left, right, front, back or top");
   }
-  const auto& [axis, sign] = found->second;
-  return sign * Vec3::Unit(axis);
+  return found->Direction();
 }
 
 std::vector<Leaving> SceneReader::ReadLeavings(const SceneNode& leave,

@@ -84,5 +84,6 @@ SceneJson FormatRotation(const Quat& q);
 /// Of an object that goes at one frame.
 SceneJson FormatLeaving(const Leaving& leaving);
 SceneJson FormatWind(const AnalyticWind& wind);
+SceneJson FormatFront(const WindFront& front, double framesPerSecond);
 
 } // namespace waft

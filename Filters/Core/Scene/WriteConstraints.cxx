@@ -39,6 +39,35 @@ bool HaveSameSides(const Constraint& a, const Constraint& b)
   return a.Facing == b.Facing && a.FacingTolerance == b.FacingTolerance && a.Side == b.Side;
 }
 
+/// Frames of a window as ranks. False where there are none that give them.
+bool FormatOrder(const FrameWindow& window, const std::vector<int>& frames, SceneJson& json)
+{
+  for (const TimeSpread spread : { TimeSpread::Even, TimeSpread::EaseIn, TimeSpread::EaseOut })
+  {
+    std::map<int, int> rankOf; // by frame
+    for (std::size_t k = 0; k < frames.size(); ++k)
+    {
+      rankOf[FrameAt(window, spread, PartOfRank(k, frames.size()))] = static_cast<int>(k);
+    }
+    SceneJson ranks = SceneJson::array();
+    for (const int frame : frames)
+    {
+      const auto found = rankOf.find(frame);
+      if (found != rankOf.end())
+      {
+        ranks.push_back(found->second);
+      }
+    }
+    if (ranks.size() == frames.size())
+    {
+      json["order"] = std::move(ranks);
+      json["spread"] = ToString(spread);
+      return true;
+    }
+  }
+  return false;
+}
+
 /// When rows of one entry are met: at one frame, in a window by the air, or one after another in
 /// it, as ranks. False where the format has no way to say it.
 bool FormatTimes(const std::vector<const Constraint*>& rows, SceneJson& json)
@@ -70,33 +99,15 @@ bool FormatTimes(const std::vector<const Constraint*>& rows, SceneJson& json)
   {
     return true;
   }
-  for (const TimeSpread spread : { TimeSpread::Even, TimeSpread::EaseIn, TimeSpread::EaseOut })
+  std::vector<int> frames;
+  for (const Constraint* row : rows)
   {
-    std::map<int, int> rankOf; // by frame
-    for (std::size_t k = 0; k < rows.size(); ++k)
-    {
-      rankOf[FrameAt(window, spread, PartOfRank(k, rows.size()))] = static_cast<int>(k);
-    }
-    SceneJson ranks = SceneJson::array();
-    for (const Constraint* row : rows)
-    {
-      const auto found = rankOf.find(row->Frame);
-      if (found != rankOf.end())
-      {
-        ranks.push_back(found->second);
-      }
-    }
-    if (ranks.size() == rows.size())
-    {
-      json["order"] = std::move(ranks);
-      json["spread"] = ToString(spread);
-      return true;
-    }
+    frames.push_back(row->Frame);
   }
-  return false;
+  return FormatOrder(window, frames, json);
 }
 
-/// How long it is held, on what, and how it goes.
+/// How long it is held, and on what.
 void FormatStay(const Constraint& row, SceneJson& json)
 {
   if (row.On >= 0)
@@ -115,16 +126,43 @@ void FormatStay(const Constraint& row, SceneJson& json)
       json["holdRadius"] = row.HoldRadius;
     }
   }
-  if (row.Goes.From >= 0)
+}
+
+/// How those of one entry go: at one frame, or in a window as ranks. False where some stay, or go
+/// otherwise.
+bool FormatLeave(const std::vector<const Constraint*>& rows, SceneJson& json)
+{
+  const Leaving& first = rows.front()->Goes;
+  FrameWindow window{ first.From, first.From };
+  std::vector<int> frames;
+  for (const Constraint* row : rows)
   {
-    json["leave"] = FormatLeaving(row.Goes);
+    Leaving alike = row->Goes;
+    alike.From = first.From;
+    if (!(alike == first) || (row->Goes.From < 0) != (first.From < 0))
+    {
+      return false;
+    }
+    frames.push_back(row->Goes.From);
+    window.From = std::min(window.From, row->Goes.From);
+    window.To = std::max(window.To, row->Goes.From);
   }
+  if (first.From < 0)
+  {
+    return true;
+  }
+  json["leave"] = FormatLeaving(first);
+  if (window.From < window.To)
+  {
+    json["leave"]["frame"] = { { "from", window.From }, { "to", window.To } };
+    return FormatOrder(window, frames, json["leave"]);
+  }
+  return true;
 }
 
 bool StayAlike(const Constraint& a, const Constraint& b)
 {
-  return a.Hold == b.Hold && a.Drifts == b.Drifts && a.HoldRadius == b.HoldRadius &&
-         a.Goes == b.Goes && a.On == b.On;
+  return a.Hold == b.Hold && a.Drifts == b.Drifts && a.HoldRadius == b.HoldRadius && a.On == b.On;
 }
 
 /// Whether the targets of a keyframe may be rows of this kind.
@@ -191,6 +229,7 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
     json["radius"] = row.Radius;
   }
   FormatStay(row, json);
+  (void)FormatLeave(rows, json);
   FormatSides(row, json);
   return true;
 }
@@ -251,7 +290,8 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
     if (IsOfKeyframe(row->Kind))
     {
       if (row->Kind != first.Kind || row->Radius != first.Radius || !StayAlike(*row, first) ||
-          !HaveSameSides(*row, first) || (IsRest(row->Kind) && row->Until != first.Until))
+          !HaveSameSides(*row, first) ||
+          (IsRest(row->Kind) && row->Until != first.Until && row->Until != row->Goes.From))
       {
         return false;
       }
@@ -286,12 +326,12 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   {
     return false;
   }
-  json["kind"] = "keyframe";
-  if (!FormatTimes(targets, json))
+  if (!FormatTimes(targets, json) || !FormatLeave(targets, json))
   {
-    json.erase("frame");
+    json = SceneJson::object();
     return false;
   }
+  json["kind"] = "keyframe";
   this->SetTargets(targets, json);
   if (isAssigned)
   {
@@ -306,7 +346,10 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   if (IsRest(first.Kind))
   {
     json["velocity"] = "rest";
-    json["until"] = first.Until;
+    if (first.Goes.From < 0 || first.Until != first.Goes.From) // else it lies until it goes
+    {
+      json["until"] = first.Until;
+    }
   }
   else if (!velocities.empty())
   {

@@ -159,6 +159,17 @@ SceneJson FormatWind(const AnalyticWind& wind)
            { "duration", wind.Duration } };
 }
 
+SceneJson FormatFront(const WindFront& front, double framesPerSecond)
+{
+  return { { "kind", "front" },
+           { "direction", FormatVector(front.Direction) },
+           { "speed", front.Speed },
+           { "strength", front.Strength },
+           { "width", front.Width },
+           { "startFrame", std::lround(front.StartTime * framesPerSecond) },
+           { "origin", FormatVector(front.Origin) } };
+}
+
 void SceneFormat::WriteWinds()
 {
   SceneJson list = SceneJson::array();
@@ -180,14 +191,7 @@ void SceneFormat::WriteWinds()
     }
     for (const WindFront& front : this->In.Fronts)
     {
-      const double start = front.StartTime * this->In.Info.Time.FramesPerSecond;
-      list.push_back({ { "kind", "front" },
-                       { "direction", FormatVector(front.Direction) },
-                       { "speed", front.Speed },
-                       { "strength", front.Strength },
-                       { "width", front.Width },
-                       { "startFrame", std::lround(start) },
-                       { "origin", FormatVector(front.Origin) } });
+      list.push_back(FormatFront(front, this->In.Info.Time.FramesPerSecond));
     }
     for (const WindFile& file : this->In.WindFiles)
     {

@@ -34,15 +34,16 @@ std::string WhyNotWritten(const Scene& scene)
 
 void ExpectSameRows(const std::vector<Constraint>& a, const std::vector<Constraint>& b)
 {
-  test::ExpectSameItems(
-    "row", a, b,
-    [](const Constraint& item)
-    {
-      return std::tie(item.ObjectId, item.Frame, item.Kind, item.Value, item.Orientation.coeffs(),
-                      item.Radius, item.Until, item.Row, item.Target, item.Group, item.ClassId,
-                      item.Side, item.Facing, item.FacingTolerance, item.FrameFrom,
-                      item.IsOpenWindow, item.On, item.Hold, item.Drifts, item.HoldRadius);
-    });
+  test::ExpectSameItems("row", a, b,
+                        [](const Constraint& item)
+                        {
+                          return std::tie(item.ObjectId, item.Frame, item.Kind, item.Value,
+                                          item.Orientation.coeffs(), item.Radius, item.Until,
+                                          item.Row, item.Target, item.Group, item.ClassId,
+                                          item.Side, item.Facing, item.FacingTolerance,
+                                          item.FrameFrom, item.IsOpenWindow, item.On, item.Hold,
+                                          item.Drifts, item.HoldRadius, item.Goes.From);
+                        });
 }
 
 void ExpectSameObjects(const std::vector<MotionObject>& a, const std::vector<MotionObject>& b)
@@ -233,10 +234,13 @@ TEST(WriteScene, WindowsAreWrittenThoughTheirTargetsMoved)
     "objects": [{"shape": "a", "positions": [[0, 0, 3], [1, 0, 3], [-1, 0, 3]]}], "constraints": [
     {"kind": "keyframe", "frame": {"from": 90, "to": 150}, "targets": {"points":
      [[0, 0, 1], [1, 0, 1], [-1, 0, 1]]})";
-  for (const char* order :
-       { "", R"(, "order": "left-to-right")", R"(, "order": "random", "spread": "ease-out")",
-         R"(, "order": "outward", "velocity": "rest", "until": 200)",
-         R"(, "order": [2, 2, 0], "velocity": [0, 0, -1], "spread": "ease-in")" })
+  for (
+    const char* order :
+    { "", R"(, "order": "left-to-right")", R"(, "order": "random", "spread": "ease-out")",
+      R"(, "order": "outward", "velocity": "rest", "until": 200)",
+      R"(, "order": [2, 2, 0], "velocity": [0, 0, -1], "spread": "ease-in")",
+      R"(, "hold": 9, "leave": {"frame": {"from": 160, "to": 180}, "order": [0, 2, 1], "fade": 3})",
+      R"(, "velocity": "rest", "leave": {"frame": {"from": 190, "to": 220}, "place": [0, 0, 1]})" })
   {
     Scene scene = Parsed(begin + order + "}]}");
     for (Constraint& row : scene.Constraints)
