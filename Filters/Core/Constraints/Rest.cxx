@@ -116,6 +116,34 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
   return windows;
 }
 
+bool HangingWindow(const MotionObject& object, const ObstacleSet& obstacles, double framesPerSecond,
+                   LandingWindow& window)
+{
+  if (!object.Hangs())
+  {
+    return false;
+  }
+  SurfaceHit hit;
+  const double distance =
+    obstacles.SignedDistance(object.Position, 0.0, object.ClearanceRadius, hit);
+  if (hit.ObstacleId < 0)
+  {
+    return false;
+  }
+  window = LandingWindow();
+  window.ObstacleId = hit.ObstacleId;
+  window.Until = object.Release;
+  window.First = -framesPerSecond;
+  window.Last = object.Release + framesPerSecond;
+  window.Centre = StartPlace(object, obstacles);
+  window.Point = { hit.Point, 0.0, window.Centre.On };
+  window.Normal = hit.Normal;
+  window.Room = obstacles.SignedDistance(object.Position, 0.0, 1e30, hit.ObstacleId);
+  window.Least = std::max(0.0, distance - LandingSlack);
+  window.Row = window.Target = OfNoRow;
+  return true;
+}
+
 Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<LandingWindow>& windows,
                             double frame)
 {
@@ -129,7 +157,7 @@ Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<Landing
     {
       nearest = away;
       clearance.Exempt = window.ObstacleId;
-      clearance.LandingDistance = rule.RestHeight;
+      clearance.LandingDistance = std::min(rule.RestHeight, window.Least);
       clearance.Radius = std::min(rule.Radius, std::max(0.0, window.Room - LandingSlack));
     }
   }

@@ -49,6 +49,7 @@ struct LandingWindow
   CarriedPlace Point;          // of the surface, straight below
   Vec3 Normal = Vec3::UnitZ(); // of the surface there
   double Room = 1e30;          // m, from the centre to the nearest other surface
+  double Least = 1e30;         // m, that the centre keeps from the surface, of the RestHeight
   int Row = 0;
   int Target = 0;
 };
@@ -58,6 +59,11 @@ struct LandingWindow
 std::vector<LandingWindow> LandingWindows(const MotionObject& object,
                                           const std::vector<Constraint>& rows,
                                           const ObstacleSet& obstacles, double framesPerSecond);
+
+/// The same of an object that hangs within its clearance of an obstacle: until one second after its
+/// release it keeps no more from that than it has there. False where it hangs free.
+bool HangingWindow(const MotionObject& object, const ObstacleSet& obstacles, double framesPerSecond,
+                   LandingWindow& window);
 
 /// What holds for the centre of an object at one frame.
 struct Clearance

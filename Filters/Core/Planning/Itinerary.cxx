@@ -38,6 +38,8 @@ public:
     this->Marks[mark.Frame] = mark;
   }
 
+  void AddHanging(const LandingWindow& window) { this->Result.Landings.push_back(window); }
+
   /// After all rests.
   void AddPosition(const Constraint& row, int index)
   {
@@ -185,6 +187,11 @@ Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint
   const std::vector<LandingWindow> windows =
     LandingWindows(object, own, obstacles, scene.Time.FramesPerSecond);
   ItineraryMaker maker(object, obstacles, scene);
+  LandingWindow hanging;
+  if (HangingWindow(object, obstacles, scene.Time.FramesPerSecond, hanging))
+  {
+    maker.AddHanging(hanging);
+  }
   for (const std::size_t i : rests)
   {
     for (const LandingWindow& window : windows)

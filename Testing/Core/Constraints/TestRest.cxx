@@ -184,3 +184,26 @@ TEST(Rest, GoesAlongWithWhatItLiesOn)
   leaf.On = 4;
   expectNear(StartPlace(leaf, set).At(60), Vec3(4, 0, 2));
 }
+
+TEST(Rest, WhatHangsAtAnObstacleMayLeaveIt)
+{
+  const ObstacleSet set = Scene();
+  MotionObject leaf = Leaf();
+  leaf.Position = Vec3(-1.12 + 0.05, 0.0, 1.0); // 3 cm from the wall, 2
+  LandingWindow window;
+  EXPECT_FALSE(HangingWindow(leaf, set, 10.0, window)); // it flies from the first frame
+  leaf.Release = 40;
+  ASSERT_TRUE(HangingWindow(leaf, set, 10.0, window));
+  EXPECT_EQ(window.ObstacleId, 2);
+  EXPECT_EQ(window.Last, 50.0);
+  const std::vector<LandingWindow> windows{ window };
+  const Vec3 away = leaf.Position + Vec3(0.01, 0.0, 0.0);
+  EXPECT_TRUE(IsMotionClear(set, leaf, windows, leaf.Position, 40, away, 41));
+  EXPECT_FALSE(IsMotionClear(set, leaf, {}, leaf.Position, 40, away, 41));
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, leaf.Position, 40,
+                             leaf.Position - Vec3(0.025, 0.0, 0.0), 41)); // not into it
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, away, 55, away, 56));    // for a second
+  leaf.Position.x() += 1.0;
+  leaf.Position.z() = 1.5;
+  EXPECT_FALSE(HangingWindow(leaf, set, 10.0, window)); // nothing is near
+}

@@ -151,13 +151,13 @@ Clearance BodyProblem::AskedAt(int frame) const
 {
   for (const double beside : { frame - 0.5, frame + 0.5 })
   {
-    const Clearance asked = RequiredClearance(this->Body, this->Landings, beside);
+    const Clearance asked = RequiredClearance(this->Body, this->Exempts, beside);
     if (asked.Exempt < 0)
     {
       return asked;
     }
   }
-  return RequiredClearance(this->Body, this->Landings, frame);
+  return RequiredClearance(this->Body, this->Exempts, frame);
 }
 
 void BodyProblem::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const
@@ -322,7 +322,7 @@ void BodyProblem::CloseBarrierGaps(std::vector<Vec3>& path) const
 
 PathClearance BodyProblem::Around() const
 {
-  return { this->World.Obstacles, this->Space, this->Landings, this->Body,
+  return { this->World.Obstacles, this->Space, this->Exempts, this->Body,
            ClearanceSlack * this->World.Scene.Bounds.Width() };
 }
 
@@ -331,7 +331,7 @@ bool BodyProblem::PassesThrough(const std::vector<Vec3>& path) const
   for (std::size_t f = 0; f + 1 < path.size(); ++f)
   {
     const auto frame = static_cast<double>(f);
-    const int landedOn = RequiredClearance(this->Body, this->Landings, frame + 0.5).Exempt;
+    const int landedOn = RequiredClearance(this->Body, this->Exempts, frame + 0.5).Exempt;
     if (!this->World.Obstacles.IsClear(path[f], frame, path[f + 1], frame + 1.0, 0.0, landedOn))
     {
       return true;

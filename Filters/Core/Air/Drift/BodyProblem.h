@@ -146,9 +146,10 @@ private:
   std::vector<Vec3> Planned;
   std::vector<Constraint> Wanted;
   std::vector<LandingWindow> Landings;
-  std::vector<Vec3> Slips;  // by step [m/s], or empty
-  std::vector<int> Latest;  // touch-downs, as the rows have them
-  std::vector<int> Leaving; // lift-offs likewise
+  std::vector<LandingWindow> Exempts; // these, after that in which it hangs at an obstacle
+  std::vector<Vec3> Slips;            // by step [m/s], or empty
+  std::vector<int> Latest;            // touch-downs, as the rows have them
+  std::vector<int> Leaving;           // lift-offs likewise
   std::vector<char> Timed;
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;

@@ -42,6 +42,13 @@ void BodyProblem::FixFrames()
     fix(frame, place);
   }
   this->Space = FlightRoom(this->World.Scene, this->FreeFrom());
+  this->Exempts = this->Landings;
+  LandingWindow hanging;
+  if (HangingWindow(this->Body, this->World.Obstacles, this->World.Scene.Time.FramesPerSecond,
+                    hanging))
+  {
+    this->Exempts.insert(this->Exempts.begin(), hanging);
+  }
 }
 
 int BodyProblem::EarliestTouchDown(std::size_t landing, int most) const
