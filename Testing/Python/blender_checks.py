@@ -897,6 +897,9 @@ class Times(unittest.TestCase):
         self.keyed(gust, "field.distance_max", gust.field, f1=1.0, f20=3.0)
         self.assertAlmostEqual(self.row("Mark")["facing"]["tolerance"], 0.3, 6)
         self.assertAlmostEqual(self.read()["winds"][0]["radius"], 1.5, 5)
+        gust.waft.is_front, gust.waft.frame, gust.waft.front_speed = True, 11, 3.0
+        front = self.read()["winds"][0]
+        self.assertEqual(("front", 10, 2.0, 3.0, 8.0), tuple(front[name] for name in ("kind", "startFrame", "strength", "speed", "width")))
 
     def test_time_remapping(self):
         """Keys are played at twice their frames: those of marks, of obstacles, and those that a take brings."""

@@ -108,7 +108,7 @@ class WAFT_PT_object(_Panel, bpy.types.Panel):
         box.label(text=thing.name, icon="OBJECT_DATA")
         field = field_of(thing)
         if thing.waft.role == "NONE" and field is not None:
-            _draw_field(box, field)
+            _draw_field(box, field, thing.waft)
             return
         box.prop(thing.waft, "role")
         draw = {"FLYER": _draw_flyer, "MARK": _draw_mark, "TARGET": _draw_target, "VOLUME": _draw_volume}.get(thing.waft.role)
@@ -150,10 +150,12 @@ def _of_kind(settings, is_turned=False):
     return () if is_turned else ("is_facing", *(("facing_tolerance",) if settings.is_facing else ()))
 
 
-def _draw_field(layout, field):
+def _draw_field(layout, field, settings):
     layout.prop(field, "strength")
     if field.type == "WIND":
         layout.label(text=f"{field.strength:.3g} m/s² along its z axis")
+        for name in ("is_front", *(("frame", "front_speed", "front_width") if settings.is_front else ())):
+            layout.prop(settings, name)
     else:
         layout.label(text=f"{VORTEX_FACTOR * field.strength:.3g} m²/s² about its z axis")
 

@@ -92,6 +92,11 @@ class ObjectSettings(bpy.types.PropertyGroup):
     is_open: BoolVectorProperty(override=_OWN, name="Open Sides", size=3, description="Flyers and air pass both ends of x, of y, the top")
     breeze: FloatVectorProperty(override=_OWN, name="Breeze", size=2, default=(0.0, 0.0), precision=2,
                                 description="Mean flow along x and y, in m/s, through sides that are open")
+    is_front: BoolProperty(override=_OWN, name="Front", description="The wind has an edge that is at its origin at Frame, travels along its z "
+                                                                    "axis and lifts what lies")
+    front_speed: FloatProperty(override=_OWN, name="Speed", default=2.5, min=0.01, soft_max=20.0, description="Of the edge, in m/s")
+    front_width: FloatProperty(override=_OWN, name="Width", default=8.0, min=0.01, subtype="DISTANCE", unit="LENGTH",
+                               description="Over which it blows behind its edge")
     until: IntProperty(override=_OWN, name="Until", default=0, description="Last frame of a rest; 0: the scene's last")
     radius: FloatProperty(override=_OWN, name="Radius", default=0.0, min=0.0, subtype="DISTANCE", unit="LENGTH",
                           description="How far from it is near enough; 0: exactly there")

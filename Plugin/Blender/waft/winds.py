@@ -29,7 +29,12 @@ def add_fields(stage, fields):
         axis = matrix[:3, 2] / np.linalg.norm(matrix[:3, 2])
         place = matrix[:3, 3] * stage.unit
         times = {"centerTime": center_time, "duration": duration}
-        if thing.field.type == "WIND":
+        if thing.field.type == "WIND" and thing.waft.is_front:
+            start = stage.own_frame(thing, thing.waft.frame)
+            if start is not None:
+                stage.add("winds", thing, kind="front", direction=(np.sign(peak) * axis).tolist(), strength=float(abs(peak)), speed=thing.waft.front_speed,
+                          width=thing.waft.front_width * stage.unit, startFrame=start, origin=place.tolist())
+        elif thing.field.type == "WIND":
             reach = most * stage.unit / 2.0 if thing.field.use_max_distance else 0.0
             stage.add("winds", thing, direction=axis.tolist(), strength=float(peak), center=place.tolist(),
                       radius=reach or _EVERYWHERE * stage.widest, **times)
