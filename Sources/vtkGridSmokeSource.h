@@ -73,6 +73,7 @@ public:
   WaftProperty(int, BoundaryY);
   WaftProperty(int, BoundaryZ);
   WaftFlag(ClosedFloor);
+  WaftVector(double, Breeze, 3);
   WaftOpenProperty(double, Confinement);
   WaftOpenProperty(double, BuoyancyDensity);
   WaftOpenProperty(double, BuoyancyTemperature);

@@ -115,6 +115,10 @@ struct SmokeOptions : AirRun
       BoundaryAlong<2>(of)...);
     visit(FlagField("ClosedFloor", "With Boundary Z open: the floor is a wall all the same."),
           of.ClosedFloor...);
+    visit(OptionField{ "Breeze", limits::Velocity, "m/s",
+                       "Mean flow through open ends, in metres per second: the air outside moves "
+                       "like that." },
+          of.Breeze...);
     visit(OptionField{ "Confinement", limits::Factor, "1/s",
                        "Strength of vorticity confinement in 1/s; 0: none." },
           of.Confinement...);

@@ -181,6 +181,10 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
             reader.SetFileName(os.fspath(scene))
             for port, given in enumerate((2, 5, 4), 1):  # obstacles, wind, vortices
                 smoke.SetInputConnection(port, reader.GetOutputPort(given))
+            reader.Update()
+            breeze = reader.GetOutputDataObject(0).GetFieldData().GetArray("Breeze")
+            if breeze is not None:
+                smoke.SetBreeze(*(breeze.GetValue(axis) for axis in range(3)))
         velocity = vtkPassArrays()
         velocity.SetInputConnection(smoke.GetOutputPort())
         velocity.AddPointDataArray("Velocity")
