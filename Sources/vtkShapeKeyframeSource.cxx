@@ -138,7 +138,6 @@ waft::Result Drawing::Draw(vtkDataObject* input)
   return this->DrawSurface(input);
 }
 
-constexpr std::uint64_t LeaveStream = 0x6c65617665;
 constexpr int AlongTheArrow = waft::NumberOfPlaceOrders + 1;
 
 /// Of each target, where they come or go one after another; else nothing.
@@ -176,7 +175,7 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
   const std::vector<double> order = PartsOf(drawing);
   const std::vector<double> parts = options.FrameFrom >= 0 ? order : std::vector<double>();
   const std::vector<double> leaving =
-    order.empty() ? waft::PartsByChance(drawing.Positions.size(), options.Seed, LeaveStream)
+    order.empty() ? waft::PartsByChance(drawing.Positions.size(), options.Seed, waft::LeaveStream)
                   : order;
   const waft::FrameWindow goes{ options.LeaveFrame,
                                 std::max(options.LeaveFrame, options.LastLeave) };

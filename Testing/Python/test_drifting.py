@@ -54,6 +54,22 @@ class DriftingTest(unittest.TestCase):
             np.testing.assert_array_equal(run.positions[others], again.positions[others])
             self.assertTrue((run.positions[body] != again.positions[body]).any())
 
+    def test_each_leaves_the_form_at_its_own_frame(self):
+        made = waft.Scene("One by one", seed=4)
+        made.set_time(FRAMES)
+        made.set_domain(open=["x"])
+        made.add_objects("petal", count=12, region={"min": (-1.2, -1.2, 1.2), "max": (1.2, 1.2, 3.2)})
+        made.add_keyframe(50, points=POINTS, hold=HOLD, drift=True, hold_radius=RADIUS,
+                          leave={"side": "left", "frame": {"from": 60, "to": 115}, "order": "left-to-right"})
+        with tempfile.TemporaryDirectory() as folder:
+            run = waft.synthesize(made, output=pathlib.Path(folder) / "out", quality="preview", threads=1, _settings={"Assimilation": COARSE})
+            order = [int(row["ObjectId"]) for row in sorted(run.report, key=lambda row: row["Target"])]
+            first = [body for target, body in enumerate(order) if target % 4 == 0]  # who go, at frame 60 and after
+            last = [body for target, body in enumerate(order) if target % 4 == 3]
+            gone = run.positions[first, 105, 0].mean() - run.positions[first, 60, 0].mean()
+            stays = run.positions[last, 90, 0].mean() - run.positions[last, 60, 0].mean()
+            self.assertLess(gone - stays, -0.3)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -46,8 +46,9 @@ double PartOfRank(std::size_t rank, std::size_t count);
 std::vector<double> PartsByKey(const std::vector<double>& keys);
 /// Of given ranks, 0 to N - 1; equal ones share their part.
 std::vector<double> PartsByRank(const std::vector<int>& ranks);
-/// The stream of releases that have no order.
-constexpr std::uint64_t ReleaseStream = 0x72656c65617365;
+/// The streams of releases and of leavings that have no order.
+inline constexpr std::uint64_t ReleaseStream = 0x72656c65617365;
+inline constexpr std::uint64_t LeaveStream = 0x6c65617665;
 /// By chance, a permutation by the seed.
 std::vector<double> PartsByChance(std::size_t count, std::uint64_t seed, std::uint64_t stream);
 /// Where one of several is: along the width and the height of what they draw, and in space [m].

@@ -92,15 +92,12 @@ std::map<int, double> DerivativeStencil(int derivative, int frame, const Timelin
 
 void SetHolds(int lastFrame, std::vector<Constraint>& rows)
 {
-  // Rows of one keyframe are told by their Group, others by their Row.
-  const auto keyOf = [](const Constraint& row)
-  { return std::pair(row.Group >= 0, row.Group >= 0 ? row.Group : row.Row); };
   std::map<std::pair<bool, int>, int> last; // arrival
   for (const Constraint& row : rows)
   {
     if (row.Hold > 0)
     {
-      int& own = last[keyOf(row)];
+      int& own = last[EntryOf(row)];
       own = std::max(own, row.Frame);
     }
   }
@@ -108,7 +105,7 @@ void SetHolds(int lastFrame, std::vector<Constraint>& rows)
   {
     if (row.Hold > 0)
     {
-      const int all = last[keyOf(row)];
+      const int all = last[EntryOf(row)];
       const int held = std::min(all + row.Hold, lastFrame);
       row.Until = row.Drifts != 0      ? std::min(all, lastFrame)
                   : row.Goes.From >= 0 ? std::max(row.Frame, row.Goes.From)

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace waft
 {
@@ -229,6 +230,13 @@ inline void SetArrival(int frame, const Vec3& place, Constraint& row)
   row.Until = IsLasting(row) ? row.Until : frame;
 }
 
+/// What tells the rows of one entry from others: those of a keyframe have a Group, others their
+/// Row.
+inline std::pair<bool, int> EntryOf(const Constraint& row)
+{
+  return { row.Group >= 0, row.Group >= 0 ? row.Group : row.Row };
+}
+
 /// The Until of all that stay for a while: from the frame at which the last of their Row comes, or
 /// may come, at most to the last frame; of who leaves, the frame at which it goes. Of those whose
 /// form drifts, the frame from which it does.
@@ -236,8 +244,9 @@ void SetHolds(int lastFrame, std::vector<Constraint>& rows);
 /// The last frame at which the form of a row that Drifts holds it.
 inline int FormEnd(const Constraint& row, int lastFrame)
 {
-  const int held = std::min(std::max(row.Frame, row.Until) + row.Hold, lastFrame);
-  return row.Goes.From >= 0 ? std::max(std::max(row.Frame, row.Until), row.Goes.From) : held;
+  const int begin = std::max(row.Frame, row.Until);
+  return row.Goes.From >= 0 ? std::max(begin, row.Goes.From)
+                            : std::min(begin + row.Hold, lastFrame);
 }
 
 /// The earliest frame at which a row may be met.

@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr std::uint64_t OrderStream = 0x6f72646572;
-constexpr std::uint64_t LeaveStream = 0x6c65617665;
 constexpr std::uint64_t ShareStream = 0x7368617265;
 constexpr const char* Orders =
   "air, left-to-right, right-to-left, top-down, bottom-up, outward, inward, random, letters, "

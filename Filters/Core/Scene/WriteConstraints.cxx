@@ -190,8 +190,7 @@ std::vector<SceneFormat::Rows> SceneFormat::Entries() const
   std::map<std::pair<bool, int>, std::size_t> indices;
   for (const Constraint& row : this->In.Constraints)
   {
-    const std::pair<bool, int> key(row.Group >= 0, row.Group >= 0 ? row.Group : row.Row);
-    const auto [found, isNew] = indices.try_emplace(key, entries.size());
+    const auto [found, isNew] = indices.try_emplace(EntryOf(row), entries.size());
     if (isNew)
     {
       entries.emplace_back();

@@ -39,6 +39,11 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
   {
     this->Stays.push_back({ 0, object.Release, StartPlace(object, scene.Obstacles) });
   }
+  LandingWindow hanging;
+  if (HangingWindow(object, scene.Obstacles, scene.Scene.Time.FramesPerSecond, hanging))
+  {
+    this->Hanging.push_back(hanging);
+  }
   this->AddRows();
   this->FixFrames();
 }

@@ -146,7 +146,8 @@ private:
   std::vector<Vec3> Planned;
   std::vector<Constraint> Wanted;
   std::vector<LandingWindow> Landings;
-  std::vector<LandingWindow> Exempts; // these, after that in which it hangs at an obstacle
+  std::vector<LandingWindow> Hanging; // that in which it hangs at an obstacle, or none
+  std::vector<LandingWindow> Exempts; // it, then the Landings
   std::vector<Vec3> Slips;            // by step [m/s], or empty
   std::vector<int> Latest;            // touch-downs, as the rows have them
   std::vector<int> Leaving;           // lift-offs likewise

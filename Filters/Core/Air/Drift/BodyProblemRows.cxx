@@ -90,10 +90,10 @@ void BodyProblem::AddFormation(const Constraint& row)
   {
     return;
   }
-  int end = std::min(form->End, this->NumberOfFrames() - 1);
+  int end = std::min(form->End, FormEnd(row, this->NumberOfFrames() - 1));
+  const auto before = static_cast<int>(0.5 * this->World.Scene.Time.FramesPerSecond);
   for (const Constraint& other : this->Wanted)
   {
-    const auto before = static_cast<int>(0.5 * this->World.Scene.Time.FramesPerSecond);
     end = other.Frame > row.Frame && IsPositional(other.Kind) ? std::min(end, other.Frame - before)
                                                               : end;
   }

@@ -42,13 +42,8 @@ void BodyProblem::FixFrames()
     fix(frame, place);
   }
   this->Space = FlightRoom(this->World.Scene, this->FreeFrom());
-  this->Exempts = this->Landings;
-  LandingWindow hanging;
-  if (HangingWindow(this->Body, this->World.Obstacles, this->World.Scene.Time.FramesPerSecond,
-                    hanging))
-  {
-    this->Exempts.insert(this->Exempts.begin(), hanging);
-  }
+  this->Exempts = this->Hanging;
+  this->Exempts.insert(this->Exempts.end(), this->Landings.begin(), this->Landings.end());
 }
 
 int BodyProblem::EarliestTouchDown(std::size_t landing, int most) const

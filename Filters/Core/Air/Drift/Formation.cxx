@@ -81,12 +81,8 @@ bool HasRoom(const std::vector<FormationPlace>& places, const std::vector<Vec3>&
 
 const Formation* FindFormation(const std::vector<Formation>& all, const Constraint& row)
 {
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Formation& one)
-                                  {
-                                    return one.IsGroup == (row.Group >= 0 ? 1 : 0) &&
-                                           one.Number == (row.Group >= 0 ? row.Group : row.Row);
-                                  });
+  const auto found =
+    std::find_if(all.begin(), all.end(), [&](const Formation& one) { return one.Has(row); });
   return found != all.end() ? &*found : nullptr;
 }
 

@@ -7,7 +7,6 @@
 #include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 
-#include <utility>
 #include <vector>
 
 namespace waft
@@ -16,12 +15,16 @@ namespace waft
 /// One in motion: from frame Begin on, place x of the form is at Center + Shift + A (x - Center).
 struct Formation
 {
-  int IsGroup = 0, Number = 0; // the rows' Group, or their Row
+  int IsGroup = 0, Number = 0; // of its rows (EntryOf)
   int Begin = 0, End = 0;      // frames
   Vec3 Center = Vec3::Zero();
   std::vector<Vec3> Shifts; // by frame from Begin on
   std::vector<Mat3> Turns;  // A likewise
 
+  bool Has(const Constraint& row) const
+  {
+    return EntryOf(row) == std::pair<bool, int>(this->IsGroup != 0, this->Number);
+  }
   Vec3 At(const Vec3& place, int frame) const
   {
     const auto k = static_cast<std::size_t>(frame - this->Begin);

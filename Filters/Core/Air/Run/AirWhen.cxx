@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace waft
@@ -287,8 +288,13 @@ Result MoveFormations(AirContext& run, const HalfSeries& series, AirBodies& bodi
     objects[object.ObjectId] = &object;
   }
   const int last = run.Input.Scene.Time.NumberOfFrames - 1;
-  std::map<std::pair<int, int>, Formation> forms;
-  std::map<std::pair<int, int>, std::vector<FormationPlace>> places;
+  struct Form
+  {
+    Formation Motion;
+    std::vector<FormationPlace> Places;
+    const Formation* Known = nullptr;
+  };
+  std::map<std::pair<bool, int>, Form> forms;
   for (const Constraint& row : run.Rows)
   {
     const auto object = objects.find(row.ObjectId);
@@ -296,33 +302,27 @@ Result MoveFormations(AirContext& run, const HalfSeries& series, AirBodies& bodi
     {
       continue;
     }
-    const std::pair<int, int> key(row.Group >= 0 ? 1 : 0, row.Group >= 0 ? row.Group : row.Row);
-    Formation& form = forms[key];
-    form.IsGroup = key.first;
-    form.Number = key.second;
-    form.Begin = std::max(row.Frame, row.Until);
-    form.End = std::max(form.End, FormEnd(row, last));
-    places[key].push_back(
+    Form& form = forms[EntryOf(row)];
+    std::tie(form.Motion.IsGroup, form.Motion.Number) = EntryOf(row);
+    form.Motion.Begin = std::max(row.Frame, row.Until);
+    form.Motion.End = std::max(form.Motion.End, FormEnd(row, last));
+    form.Places.push_back(
       { row.Value, LawOf(*object->second).SettlingSpeed(), 2.0 * object->second->ClearanceRadius });
+    form.Known = FindFormation(run.Formations, row);
   }
   const AirSampler air(series);
   bool isNew = false;
   std::vector<Formation> all;
-  for (auto& [key, form] : forms)
+  for (auto& [entry, form] : forms)
   {
-    const auto known = std::find_if(run.Formations.begin(), run.Formations.end(),
-                                    [&form = form](const Formation& one)
-                                    {
-                                      return one.IsGroup == form.IsGroup &&
-                                             one.Number == form.Number && one.Begin == form.Begin &&
-                                             one.End == form.End;
-                                    });
-    const bool isKnown = known != run.Formations.end();
+    Formation& motion = form.Motion;
+    const bool isKnown =
+      form.Known != nullptr && form.Known->Begin == motion.Begin && form.Known->End == motion.End;
     if (!isKnown)
     {
-      MoveFormation(places[key], air, run.Obstacles, run.Input.Scene, form);
+      MoveFormation(form.Places, air, run.Obstacles, run.Input.Scene, motion);
     }
-    all.push_back(isKnown ? *known : form);
+    all.push_back(isKnown ? *form.Known : std::move(motion));
     isNew = isNew || !isKnown;
   }
   run.Formations = std::move(all);
