@@ -153,7 +153,8 @@ def table_of(made, names):
     lines = [BEGIN, "## Arrays of the outputs", "",
              "Of points, of cells, of a table's rows or of the whole (field data), in world axes, z up. Without a unit (`-`) are",
              "numbers, names, shares and the like. All outputs have the field data `Bounds` [m], `NumberOfFrames`,",
-             "`FramesPerSecond` [1/s], `AirDensity` [kg/m^3] and `Seed` besides, and `Open` (int[3]: x, y, top) where sides are.", ""]
+             "`FramesPerSecond` [1/s], `AirDensity` [kg/m^3] and `Seed` besides, and `Open` (int[3]: x, y, top) where sides are,",
+             "`Breeze` (double[3]) [m/s] where one blows, `Loops` (int) where the last frame leads on to the first.", ""]
     lines += ["| port | array | of | type | components | unit |", "|---|---|---|---|---|---|"]
     lines += [f"| {port} | `{array}` | {of} | {kind} | {count} | {unit or NONE} |"
               for name in names for port, of, array, kind, count, unit in rows_of(made[name], name)]

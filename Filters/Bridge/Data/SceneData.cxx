@@ -34,6 +34,10 @@ void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data)
   {
     AddDoubles(fields, names::Breeze, { info.Breeze.x(), info.Breeze.y(), info.Breeze.z() });
   }
+  if (info.Loops != 0)
+  {
+    AddInts(fields, names::Loops, { info.Loops });
+  }
   vtkNew<vtkLongLongArray> seed;
   seed->SetName(names::Seed);
   seed->InsertNextValue(static_cast<long long>(info.Seed));
@@ -85,6 +89,10 @@ Result SceneInfoFromFieldData(vtkFieldData* fields, SceneInfo& info)
     {
       info.Breeze[axis] = breeze->GetVariantValue(axis).ToDouble();
     }
+  }
+  if (vtkDataArray* loops = fields->GetArray(names::Loops))
+  {
+    info.Loops = loops->GetNumberOfValues() > 0 && loops->GetVariantValue(0).ToInt() != 0 ? 1 : 0;
   }
   const std::string owner = "field data";
   double frames = info.Time.NumberOfFrames;

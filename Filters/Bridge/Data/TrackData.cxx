@@ -256,6 +256,7 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   AddColumn(data->GetCellData(), names::Release, tracks, &Track::Release);
   AddColumn(data->GetCellData(), names::Leave, tracks, &Track::Leave);
   AddColumn(data->GetCellData(), names::Fade, tracks, &Track::Fade);
+  AddColumn(data->GetCellData(), names::LoopTo, tracks, &Track::LoopTo);
   SceneInfoToFieldData(info, data);
 }
 
@@ -283,6 +284,7 @@ Result PathsFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const st
   }
   WAFT_RETURN_IF_FAILED(ReadOptionalColumn(cells, names::Release, read, &Track::Release));
   WAFT_RETURN_IF_FAILED(ReadOptionalColumn(cells, names::Fade, read, &Track::Fade));
+  WAFT_RETURN_IF_FAILED(ReadOptionalColumn(cells, names::LoopTo, read, &Track::LoopTo));
   const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
   std::vector<int> present;
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Present, present));

@@ -142,6 +142,10 @@ SceneJson MotionAsJson(const SceneInfo& info, const Motion& motion, vtkPolyData*
   const Timeline& line = info.Time;
   report["time"] = { { "frames", line.NumberOfFrames },
                      { "framesPerSecond", line.FramesPerSecond } };
+  if (info.Loops != 0)
+  {
+    report["time"]["loop"] = true;
+  }
   ReportOptimised(motion.Optimised, info, convergence, report);
   report["fit"] = SceneJson::object();
   if (motion.Efforts.count(ChainStage::VortexFit) > 0)

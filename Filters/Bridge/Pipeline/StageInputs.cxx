@@ -265,15 +265,16 @@ Result SceneOfInputs(vtkAlgorithm* stage, vtkInformationVector** inputs, int por
 {
   lacking.clear();
   vtkNew<vtkFieldData> fields;
-  for (const char* name : { names::Bounds, names::NumberOfFrames, names::FramesPerSecond,
-                            names::AirDensity, names::Open, names::Breeze, names::Seed })
+  for (const char* name :
+       { names::Bounds, names::NumberOfFrames, names::FramesPerSecond, names::AirDensity,
+         names::Open, names::Breeze, names::Loops, names::Seed })
   {
     if (vtkAbstractArray* array = FindField(stage, inputs, port, name))
     {
       fields->AddArray(array);
     }
-    else if (name != names::AirDensity && name != names::Open &&
-             name != names::Breeze) // an air and sides as elsewhere
+    else if (name != names::AirDensity && name != names::Open && name != names::Breeze &&
+             name != names::Loops) // an air, sides and an end as elsewhere
     {
       lacking.insert(name);
     }

@@ -578,7 +578,7 @@ Result FlyInto(const FlightRequest& request, const ChainInputs& inputs, FlightMo
     {
       record.Warnings.push_back(
         std::string("quality ") + ToString(request.Options.Detail) +
-        ": it knows no open sides, nor objects that appear or leave: flown as " +
+        ": it knows no open sides, no loop, nor objects that appear or leave: flown as " +
         ToString(flown.Options.Detail));
     }
     return Flying(flown, inputs, monitor, made, memory, record).Fly();

@@ -84,6 +84,7 @@ struct Track
   int FirstPresent = 0;                  // frame from which it is in the shot; still before
   int Leave = -1;                        // frame from which it is gone; still from there on
   int Fade = 0;                          // frames before Leave in which it fades
+  int LoopTo = -1;                       // the object as which it begins anew; -1: none
   std::vector<Vec3> Positions;           // m
   std::vector<Vec3> SphVelocities;       // m/s, the optimiser's raw unknown
   std::vector<ForceType> ForceTypes;     // annotation
@@ -134,6 +135,7 @@ struct Track
     visit(of.FirstPresent...);
     visit(of.Leave...);
     visit(of.Fade...);
+    visit(of.LoopTo...);
     visit(of.Positions...);
     visit(of.SphVelocities...);
     visit(of.ForceTypes...);

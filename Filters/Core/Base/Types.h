@@ -111,6 +111,7 @@ struct SceneInfo
   std::array<int, 3> Open{ 0, 0, 0 };
   Vec3 Breeze = Vec3::Zero(); // m/s, the mean flow, along axes that are open at both ends
   Timeline Time;
+  int Loops = 0;           // 1: the step from the last frame to the first is a step like any
   double AirDensity = 1.2; // kg/m^3
   std::uint64_t Seed = 1;
 
@@ -141,6 +142,7 @@ struct SceneInfo
     visit(of.Breeze...);
     visit(of.Time.NumberOfFrames...);
     visit(of.Time.FramesPerSecond...);
+    visit(of.Loops...);
     visit(of.AirDensity...);
     visit(of.Seed...);
   }

@@ -84,8 +84,8 @@ Quality FlownQuality(const Scene& scene, Quality wanted)
                 { return object.FirstPresent() > 0 || object.Goes.From >= 0; }) ||
     std::any_of(scene.Constraints.begin(), scene.Constraints.end(),
                 [](const Constraint& row) { return row.Goes.From >= 0 || row.Drifts != 0; });
-  return (comeAndGo || scene.Info.IsOpen()) && RunsAt(ChainStage::Spacetime, wanted) ? Quality::Air
-                                                                                     : wanted;
+  const bool isOfTheAir = comeAndGo || scene.Info.IsOpen() || scene.Info.Loops != 0;
+  return isOfTheAir && RunsAt(ChainStage::Spacetime, wanted) ? Quality::Air : wanted;
 }
 
 Result ReadSceneAndWind(const std::string& file, const SceneAssets& assets, Scene& scene,

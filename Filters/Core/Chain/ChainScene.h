@@ -24,8 +24,8 @@ std::vector<ObstacleMesh> ObstaclesOfFrames(const std::vector<ObstacleMesh>& obs
 Box VolumeAboveGround(const Scene& scene);
 
 /// The quality that a scene is flown at where another is wanted: the optimiser does not know of
-/// objects that come into the shot or go, nor of open sides; such a scene is flown by the air
-/// alone.
+/// objects that come into the shot or go, nor of open sides or loops; such a scene is flown by the
+/// air alone.
 Quality FlownQuality(const Scene& scene, Quality wanted);
 
 /// Reads a scene file and its winds. assets: reads what the file names. Fails as ReadScene and

@@ -76,7 +76,7 @@ struct PortArrays
     "WindAcceleration double*3 m/s^2";
   const std::string Turned = "; Slip double*3 m/s; Orientation double*4 w, x, y, z; "
                              "AngularVelocity double*3 rad/s";
-  const std::string OfLines = "; cells: ObjectId int; Release int; Leave int; Fade int";
+  const std::string OfLines = "; cells: ObjectId int; Release int; Leave int; Fade int; LoopTo int";
   const std::string Touched = "; TouchDown int; Settled int; Arrival int";
   const std::string Planned = Moved + OfLines;
   const std::string Drifted = Moved + "; AirVelocity double*3 m/s" + Turned +

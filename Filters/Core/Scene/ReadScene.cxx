@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/NumberText.h"
+#include "Constraints/LoopRows.h"
 #include "Scene/AuthoredParts.h"
 #include "Scene/JsonText.h"
 #include "Scene/Scene.h"
@@ -92,6 +93,7 @@ void SceneReader::ReadInfo(const SceneNode& root)
     time.CheckFields("time");
     time.Take("frames", info.Time.NumberOfFrames, "a number of frames");
     time.Take("framesPerSecond", info.Time.FramesPerSecond);
+    info.Loops = time.Has("loop") && time.At("loop", "").Boolean() ? 1 : 0;
   }
   if (root.Has("domain"))
   {
@@ -215,6 +217,10 @@ void SceneReader::Read(const SceneNode& root)
       this->Out.Warnings.push_back(this->Name + ": /objects: " + moved);
     }
   }
+  if (this->Out.Info.Loops != 0)
+  {
+    Check(root.At("time", "").At("loop", ""), [this] { return this->CheckLoop(); });
+  }
   if (root.Has("winds"))
   {
     this->ReadWinds(root.At("winds", ""));
@@ -225,6 +231,15 @@ void SceneReader::Read(const SceneNode& root)
   }
   this->LiftByFronts();
   this->WarnOfMore();
+}
+
+Result SceneReader::CheckLoop() const
+{
+  ObstacleSet obstacles;
+  WAFT_RETURN_IF_FAILED(obstacles.Build(this->Out.Obstacles));
+  std::vector<Constraint> rows = this->Out.Constraints;
+  int number = 0;
+  return CloseLoop(this->Out.Info, this->Out.Objects, obstacles, rows, number);
 }
 
 namespace

@@ -244,7 +244,10 @@ std::vector<SceneFieldTable> SceneTables()
         SceneField("air", Value::Part).Of("air") } },
     { "time",
       { SceneField("frames", Value::Whole, Frames).Or("300"),
-        SceneField("framesPerSecond", Value::Number, FramesPerSecond, "1/s").Or("30") } },
+        SceneField("framesPerSecond", Value::Number, FramesPerSecond, "1/s").Or("30"),
+        SceneField("loop", Value::Flag,
+                   "the step from the last frame to the first is a step like any")
+          .Or("false") } },
     { "domain",
       { SceneField("min", Value::Vector, Coordinate, "lowest corner of the volume, m")
           .Or("[-2, -2, 0]"),

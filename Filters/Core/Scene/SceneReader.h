@@ -91,6 +91,7 @@ private:
   // ReadScene.cxx
   void ReadInfo(const SceneNode& root);
   void ReadBreeze(const SceneNode& air);
+  Result CheckLoop() const;
   int Frame(const SceneNode& node) const;
   std::string File(const SceneNode& node) const;
   /// Fails at `node` when `load`, which its value asks for, does.

@@ -95,6 +95,10 @@ void SceneFormat::WriteInfo()
   this->Root["seed"] = info.Seed;
   this->Root["time"] = { { "frames", info.Time.NumberOfFrames },
                          { "framesPerSecond", info.Time.FramesPerSecond } };
+  if (info.Loops != 0)
+  {
+    this->Root["time"]["loop"] = true;
+  }
   this->Root["domain"] = { { "min", FormatVector(info.Bounds.Min) },
                            { "max", FormatVector(info.Bounds.Max) } };
   for (std::size_t side = 0; side < info.Open.size(); ++side)

@@ -28,7 +28,9 @@ class WAFT_PT_fly(_Panel, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(settings, "quality")
         column.prop(settings, "seed")
-        layout.prop(settings, "has_ground")
+        row = layout.row(align=True)
+        row.prop(settings, "has_ground")
+        row.prop(settings, "loops")
         if flying.running is None:
             row = layout.row(align=True)
             row.operator("waft.check", icon="CHECKMARK")

@@ -134,6 +134,8 @@ class Take(bpy.types.PropertyGroup):
 class SceneSettings(bpy.types.PropertyGroup):
     quality: EnumProperty(name="Quality", items=QUALITIES, default="preview")
     seed: IntProperty(name="Seed", default=1, min=0, description="Another number is another flight to the same marks")
+    loops: BoolProperty(name="Loop", description="The last frame leads on to the first: who is there at the end goes on to where one "
+                                                 "begins")
     has_ground: BoolProperty(name="Ground", default=True, description="The bottom of the volume is a ground to land on")
     takes: CollectionProperty(type=Take)
     shown: IntProperty(default=-1, update=lambda settings, _: takes.show(settings.id_data, settings.shown))

@@ -236,6 +236,8 @@ class Stage:
     def _add(self, scene, parts, fields):
         title = "".join(filter(str.isprintable, scene.name))  # no control characters go into files
         self.scene.update(title=title, seed=scene.waft.seed, time={"frames": len(self.frames), "framesPerSecond": self.rate})
+        if scene.waft.loops:
+            self.scene["time"]["loop"] = True
         has_volume = add_volume(self, parts["VOLUME"], scene.waft.has_ground)
         add_obstacles(self, parts["OBSTACLE"])
         ids, bodies = add_flyers(self, parts["FLYER"])

@@ -95,10 +95,9 @@ SmokeForces RandomForces(const Box& volume, std::uint64_t seed, double scale, do
 }
 
 // Those that are felt from the last turnover of the warm-up on, in the time of the frames.
-SmokeForces ForcesOf(const MotionProblem& problem, std::uint64_t seed, double scale,
-                     const WarmUp& warmUp)
+SmokeForces ForcesOf(const MotionProblem& problem, const Timeline& time, std::uint64_t seed,
+                     double scale, const WarmUp& warmUp)
 {
-  const Timeline& time = problem.Scene.Time;
   const double first = warmUp.Frames / time.FramesPerSecond;
   SmokeForces forces =
     RandomForces(problem.Scene.Bounds, seed, scale, first - warmUp.Turnover / time.FramesPerSecond,
@@ -200,7 +199,7 @@ Result DrawForces(const MotionProblem& problem, std::uint64_t seed, const AirSce
   }
   const double scale = ClosedScale * least.Scale;
   warmUp(best, scale);
-  draw.Forces = ForcesOf(problem, seeds[best], scale, warmUps[best]);
+  draw.Forces = ForcesOf(problem, coarse.Time, seeds[best], scale, warmUps[best]);
   draw.Begin = std::move(warmUps[best]);
   return results[best];
 }

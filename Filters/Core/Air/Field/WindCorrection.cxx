@@ -137,14 +137,15 @@ std::vector<WindScale> ScalesOf(const HalfSeries& air, double spacing, double ti
 
 WindCorrection::WindCorrection(const Box& volume, const Timeline& time,
                                const std::vector<WindScale>& scales, DistanceFromSolids distance,
-                               bool solidsMove) :
+                               bool solidsMove, bool loops) :
   Time(time),
   Distance(std::move(distance)), SolidsMove(solidsMove)
 {
   std::size_t size = 0;
   for (const WindScale& scale : scales)
   {
-    this->Scales.emplace_back(volume, time, scale.Spacing, scale.TimeSpacing, scale.Variance);
+    this->Scales.emplace_back(volume, time, scale.Spacing, scale.TimeSpacing, scale.Variance,
+                              loops);
     this->Begins.push_back(size);
     size += this->Scales.back().Coefficients();
   }
@@ -261,15 +262,14 @@ public:
       }
       for (const WindSamples& at : samples)
       {
-        const auto first = static_cast<std::size_t>(scale.At(at.Frame).First);
+        const WindSplines::Instant instant = scale.At(at.Frame);
         for (const Vec3& x : at.Positions)
         {
           for (const std::size_t row : scale.NodesOf(scale.At(x)))
           {
-            for (std::size_t m = 0; m < 4; ++m)
+            for (const std::size_t k : instant.Knots)
             {
-              std::fill_n(knots[first + m].PlaceOf.begin() + static_cast<std::ptrdiff_t>(row), 4,
-                          1);
+              std::fill_n(knots[k].PlaceOf.begin() + static_cast<std::ptrdiff_t>(row), 4, 1);
             }
           }
         }
@@ -294,12 +294,12 @@ public:
   }
 
   WindSplines::Rows RowsOf(std::size_t scale, const std::array<std::size_t, 16>& nodes,
-                           int first) const
+                           const WindSplines::Instant& at) const
   {
     WindSplines::Rows rows;
     for (std::size_t m = 0; m < 4; ++m)
     {
-      const Knot& knot = this->Knots[scale][static_cast<std::size_t>(first) + m];
+      const Knot& knot = this->Knots[scale][at.Knots[m]];
       rows.Next[m] = knot.Nodes.size();
       for (std::size_t i = 0; i < 16; ++i)
       {
@@ -366,8 +366,13 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     for (std::size_t l = 0; l < levels; ++l)
     {
       const WindSplines& scale = this->Scales[l];
-      const auto first = static_cast<std::size_t>(scale.At(samples[part.First].Frame).First);
-      const auto last = static_cast<std::size_t>(scale.At(samples[part.Last].Frame).First) + 3;
+      std::size_t first = scale.At(samples[part.First].Frame).Knots[0];
+      std::size_t last = scale.At(samples[part.Last].Frame).Knots[3];
+      if (last < first + 3) // it goes on from the last knot to the first
+      {
+        first = 0;
+        last = scale.Knots() - 1;
+      }
       const Touched::Knot& end = touched.Knots[l][last];
       part.Begin.push_back(touched.Knots[l][first].Begin);
       part.End.push_back(end.Begin + 3 * end.Nodes.size());
@@ -394,7 +399,7 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
       {
         places[l] = this->Scales[l].At(at.Positions[s]);
         places[l].Hold = this->Distance ? this->HoldOf(l, near[f][s]) : WindHold();
-        rows[l] = touched.RowsOf(l, this->Scales[l].NodesOf(places[l]), instants[l].First);
+        rows[l] = touched.RowsOf(l, this->Scales[l].NodesOf(places[l]), instants[l]);
       }
       const Vec3 value = before(at.Values[s], places, instants, rows);
       for (std::size_t l = 0; l < levels; ++l)

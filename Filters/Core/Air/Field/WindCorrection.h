@@ -56,7 +56,7 @@ class WindCorrection
 {
 public:
   WindCorrection(const Box& volume, const Timeline& time, const std::vector<WindScale>& scales,
-                 DistanceFromSolids distance = nullptr, bool solidsMove = true);
+                 DistanceFromSolids distance = nullptr, bool solidsMove = true, bool loops = false);
 
   /// The most probable wind whose samples, in the order of their frames, are off by `error` [m/s]
   /// (rms of a component); goes on from the wind as it is, by conjugate gradients. The same on any

@@ -101,7 +101,7 @@ double HoldAt(double distance, double& slope)
 }
 
 WindSplines::WindSplines(const Box& volume, const Timeline& time, double spacing,
-                         double timeSpacing, double variance) :
+                         double timeSpacing, double variance, bool loops) :
   Volume(volume),
   Reach(spacing)
 {
@@ -114,7 +114,8 @@ WindSplines::WindSplines(const Box& volume, const Timeline& time, double spacing
   const double frames = std::max(1, time.NumberOfFrames - 1);
   const int spans = std::max(1, static_cast<int>(std::lround(frames * time.Step() / timeSpacing)));
   this->FramesPerKnot = frames / spans;
-  this->KnotCount = static_cast<std::size_t>(spans) + 3;
+  this->Spans = static_cast<std::size_t>(spans);
+  this->KnotCount = this->Spans + (loops ? 0 : 3);
   // A component of the curl is the difference of two slopes.
   const double square = 2.0 * MeanSlopeSquare * std::pow(MeanSquare, 3);
   this->Unit = spacing * std::sqrt(variance / square);
@@ -161,14 +162,15 @@ WindSplines::Place WindSplines::At(const Vec3& x) const
 
 WindSplines::Instant WindSplines::At(double frame) const
 {
-  const auto last = static_cast<double>(this->KnotCount - 3);
-  const double knot = std::clamp(frame / this->FramesPerKnot, 0.0, last);
+  const double knot =
+    std::clamp(frame / this->FramesPerKnot, 0.0, static_cast<double>(this->Spans));
+  const std::size_t first = std::min(static_cast<std::size_t>(knot), this->Spans - 1);
   Instant at;
-  at.First = std::min(static_cast<int>(knot), static_cast<int>(this->KnotCount) - 4);
-  CubicWeights(knot - at.First, at.Weight, nullptr);
-  for (double& weight : at.Weight)
+  CubicWeights(knot - static_cast<double>(first), at.Weight, nullptr);
+  for (std::size_t m = 0; m < 4; ++m)
   {
-    weight *= this->Unit;
+    at.Knots[m] = (first + m) % this->KnotCount;
+    at.Weight[m] *= this->Unit;
   }
   return at;
 }
@@ -196,7 +198,7 @@ WindSplines::Rows WindSplines::RowsOf(const Place& place, const Instant& at) con
   const std::size_t all = this->Nodes();
   for (std::size_t m = 0; m < 4; ++m)
   {
-    const std::size_t begin = 3 * all * (static_cast<std::size_t>(at.First) + m);
+    const std::size_t begin = 3 * all * at.Knots[m];
     rows.Next[m] = all;
     for (std::size_t i = 0; i < 16; ++i)
     {
@@ -400,12 +402,13 @@ void WindSplines::AddTo(const double* coefficients, double frame, const SeriesLa
   // A component of A, summed along x and y.
   const auto inPlanes = [&](std::size_t potential, Part x, Part y)
   {
-    const double* knot = coefficients + size * (3 * static_cast<std::size_t>(at.First) + potential);
+    const auto knot = [&](std::size_t m)
+    { return coefficients + size * (3 * at.Knots[m] + potential); };
+    const double *knot0 = knot(0), *knot1 = knot(1), *knot2 = knot(2), *knot3 = knot(3);
     for (std::size_t i = 0; i < size; ++i)
     {
-      values[i] =
-        static_cast<float>(at.Weight[0] * knot[i] + at.Weight[1] * knot[3 * size + i] +
-                           at.Weight[2] * knot[6 * size + i] + at.Weight[3] * knot[9 * size + i]);
+      values[i] = static_cast<float>(at.Weight[0] * knot0[i] + at.Weight[1] * knot1[i] +
+                                     at.Weight[2] * knot2[i] + at.Weight[3] * knot3[i]);
     }
     Contract(values.data(), nodes[1] * nodes[2], nodes[0], 1, along[0], x, alongX.data());
     std::vector<float> planes(points[0] * points[1] * nodes[2]);

@@ -43,7 +43,7 @@ public:
   };
   struct Instant // the splines of time at a frame
   {
-    int First = 0;
+    std::size_t Knots[4]; // each the one after the one before, or the first one
     double Weight[4];
   };
   /// Where coefficients lie in a list: of each of the four knots of an instant the first of the
@@ -56,8 +56,9 @@ public:
   };
 
   /// spacing: of the splines, and how far from a wall they are held back [m]; timeSpacing: s.
+  /// loops: the last frame is the first one again, for the splines, too.
   WindSplines(const Box& volume, const Timeline& time, double spacing, double timeSpacing,
-              double variance);
+              double variance, bool loops = false);
 
   double Spacing() const { return this->Reach; }
   std::size_t Nodes() const;
@@ -92,6 +93,7 @@ private:
   std::array<int, 3> Count{}; // splines along each axis
   Vec3 Step = Vec3::Ones();
   std::size_t KnotCount = 0;
+  std::size_t Spans = 1; // of time
   double FramesPerKnot = 1.0;
   double Unit = 1.0; // of the coefficients [m^2/s]
 };

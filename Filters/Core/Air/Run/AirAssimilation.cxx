@@ -3,6 +3,7 @@
 
 #include "Air/Run/AirCorrection.h"
 #include "Air/Run/AirDraw.h"
+#include "Air/Run/AirLoop.h"
 #include "Air/Run/AirResult.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/AirSetup.h"
@@ -27,13 +28,14 @@ constexpr int LongestSide = 32; // of the volume, over the shortest: of less no 
 constexpr double WindSpacingOverSide = 0.1; // the longest of the volume
 constexpr double LeastWindSpacing = 1.0 / 256.0;
 
-void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
+void ShowPaths(const AirContext& run, const AirBodies& bodies, std::vector<Track>& tracks)
 {
   tracks.resize(bodies.Size());
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
     tracks[o].ObjectId = bodies.Problems[o].Object().ObjectId;
     tracks[o].Positions = bodies.Paths[o];
+    tracks[o].Positions.resize(bodies.Paths[o].size() - (run.Input.LoopRow >= 0 ? 1 : 0));
   }
 }
 
@@ -181,9 +183,10 @@ std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOpt
   return points;
 }
 
-Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& options,
-                     const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
-                     AssimilationOutput& output, AssimilationState* memory)
+namespace
+{
+
+Result CheckInput(const AssimilationInput& input, const AssimilationOptions& options)
 {
   WAFT_RETURN_IF_FAILED(options.Validate());
   WAFT_RETURN_IF_FAILED(CheckTracks(input, LeastFrames));
@@ -201,6 +204,14 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
     return Result::Error("WindSpacing: expected 0 or a number from " + NumberText(least) +
                          " m in this volume, found " + NumberText(options.WindSpacing));
   }
+  return Result::Ok();
+}
+
+// Of a scene that does not loop, or is unrolled.
+Result AssimilateShot(const AssimilationInput& input, const AssimilationOptions& options,
+                      const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
+                      AssimilationOutput& output, AssimilationState* memory)
+{
   AirContext setUp(input, options, solids, parallel, monitor);
   AirState state;
   WAFT_RETURN_IF_FAILED(SetUpObstacles(setUp));
@@ -212,7 +223,7 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   {
     if (monitor.Publishes())
     {
-      ShowPaths(bodies, output.Tracks);
+      ShowPaths(setUp, bodies, output.Tracks);
     }
   };
   AirContext& run = setUp;
@@ -244,6 +255,26 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
     checkpoint.Remove();
     Leave(run, state, output, memory);
   }
+  return result;
+}
+
+} // namespace
+
+Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& options,
+                     const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
+                     AssimilationOutput& output, AssimilationState* memory)
+{
+  WAFT_RETURN_IF_FAILED(CheckInput(input, options));
+  if (input.Scene.Loops == 0)
+  {
+    return AssimilateShot(input, options, solids, parallel, monitor, output, memory);
+  }
+  AssimilationInput unrolled;
+  WAFT_RETURN_IF_FAILED(Unroll(input, unrolled));
+  const Result result =
+    AssimilateShot(unrolled, options, Unrolled(solids, input.Scene.Time.NumberOfFrames), parallel,
+                   monitor, output, memory);
+  RollUp(unrolled, output);
   return result;
 }
 

@@ -199,6 +199,7 @@ struct AssimilationInput : MotionProblem
   /// For who gets another mark, with an obstacle between; null: such keep those by the shortest
   /// legs.
   PlanAroundObstacles PlanAround = nullptr;
+  int LoopRow = -1; // of a scene that loops, as it is flown: the Row of those that close it
 };
 
 /// What a round brought.

@@ -3,6 +3,7 @@
 
 #include "Air/Field/AirSteering.h"
 #include "Air/Field/WindCorrection.h"
+#include "Air/Run/AirLoop.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/BodyTurning.h"
@@ -119,7 +120,7 @@ WindCorrection CorrectionOf(const AirContext& run, const HalfSeries& plain)
     ScalesOf(plain, WindSpacingIn(volume, run.Options),
              run.Options.WindTimeSpacing * TimeScaleOf(volume.Width()));
   return WindCorrection(volume, run.Input.Scene.Time, scales, run.FromSolids,
-                        run.FromSolids && run.Inside.HasMoving());
+                        run.FromSolids && run.Inside.HasMoving(), run.Input.LoopRow >= 0);
 }
 
 double FlowAt(const AirContext& run, const AirState& state)
@@ -298,6 +299,10 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
   {
     state.Sampled.Velocity = steering.TakeWanted(); // in which the objects drift
     return simulated;
+  }
+  if (run.Input.LoopRow >= 0)
+  {
+    BendEnds(run.Input.Scene.Time.FramesPerSecond, run.Parallel, air);
   }
   state.Sampled.Velocity = std::move(air);
   state.Sampled.Wind = steering.TakePushes();

@@ -3,6 +3,7 @@
 
 #include "Air/Field/AirSymmetry.h"
 #include "Air/Field/ForceDraws.h"
+#include "Air/Run/AirLoop.h"
 #include "Air/Run/DrawnAir.h"
 #include "Air/Run/RunProgress.h"
 
@@ -128,21 +129,27 @@ namespace
 // What does not hang on the marks.
 Result Draw(const AirContext& run, const AirScene& scene, const BodyLaw& law, DrawnAir& drawn)
 {
+  const int period = scene.Time.NumberOfFrames - 1;
+  AirScene stirred = scene;
+  stirred.Time.NumberOfFrames += FramesBeyond(run.Input.Scene, period);
   ForceDraw draw;
   PartMonitor drawing(run.Caller, 0.0, DrawsEnd, Drawing);
   Result result =
-    DrawForces(run.Input, SeedOfAir(run.Input, run.Options), CoarseSceneOf(run, scene), law,
+    DrawForces(run.Input, SeedOfAir(run.Input, run.Options), CoarseSceneOf(run, stirred), law,
                run.Parallel, drawing, draw, drawn.Wanted);
   if (!result || result.IsStopped())
   {
     return result;
   }
-  AirScene stirred = scene;
   stirred.Forces = draw.Forces;
   stirred.Forces.Wind = run.Input.Wind;
   WAFT_RETURN_IF_FAILED(BeginWarmUp(draw.Begin, stirred, drawn.Begun));
   PartMonitor monitor(run.Caller, DrawsEnd, DrawEnd, Drawing);
   result = SimulateAir(stirred, nullptr, run.Parallel, monitor, drawn.Air, &drawn.Begun);
+  if (run.Input.Scene.Loops != 0 && result && !result.IsStopped())
+  {
+    JoinEnds(period, run.Parallel, drawn.Air);
+  }
   drawn.Forces = std::move(draw.Forces);
   drawn.WarmUp = draw.Begin.Text(run.Input.Scene.Time.FramesPerSecond);
   return result;

@@ -2,6 +2,7 @@
 #include "Air/Run/BodyTurning.h"
 
 #include "Air/Drift/DriftSearch.h"
+#include "Air/Run/AirLoop.h"
 #include "Air/Run/BodyDrift.h"
 
 #include <algorithm>
@@ -242,6 +243,7 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
       TakePoses(-1, std::numeric_limits<int>::max(), run, o, poses[o], bodies);
     }
   }
+  TurnIntoStarts(run, bodies);
   PartMonitor drifting(run.Caller, -1.0, -1.0, DriftingText);
   return DriftOn(run, air, iterations, bodies, drifting);
 }
@@ -295,6 +297,7 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vec
                    }
                  });
   }
+  TurnIntoStarts(run, bodies);
   return Result::Ok();
 }
 

@@ -189,6 +189,7 @@ def parser() -> argparse.ArgumentParser:
     begin.add_argument("--blow-away", choices=("left", "right", "back", "top"),
                        help="a gust carries the last word or picture out by that side, which is open")
     begin.add_argument("--hold", type=duration, default=0, metavar="TIME", help="how long each word or picture stays, still: 1s, or frames")
+    begin.add_argument("--loop", action="store_true", help="after the last word or picture all go back to where they begin, over and over")
     begin.set_defaults(run=run_new, is_guarded=False)
 
     about = add("info", epilog=INFO_EXIT)
@@ -328,7 +329,7 @@ def run_new(options):
     from waft.scene.starting import new_scene
 
     scene = new_scene(options.scene, options.text, options.image, options.path, options.obstacle, options.shape, options.count,
-                      options.release, options.arrive, options.order, options.hold, options.blow_away)
+                      options.release, options.arrive, options.order, options.hold, options.blow_away, options.loop)
     name = options.scene if not options.scene.startswith("-") else f"./{options.scene}"
     say(f"{options.scene}: {len(scene.objects)} objects, {scene.frames} frames; fly it: waft synthesize {shlex.quote(name)} "
         "--output out --preview")

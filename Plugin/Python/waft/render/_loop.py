@@ -12,18 +12,19 @@ from waft.files import write_bytes
 
 
 class Loop:
-    """An animated WebP picture that begins again, by Pillow: the last picture stays for a while and fades into the first. The
-    best quality is taken that keeps the file within `limit` megabytes."""
+    """An animated WebP picture that begins again, by Pillow: the last picture leads on to the first, or (fades) stays for a while and
+    fades into it. The best quality is taken that keeps the file within `limit` megabytes."""
 
     _STAY = 1600  # milliseconds
     _FADE = 8  # pictures
     _QUALITIES = (85, 75, 65, 55, 45, 35, 25, 15)
     _MOST = 2.0e9  # bytes of pictures, which are all kept until the end
 
-    def __init__(self, path, rate, limit):
+    def __init__(self, path, rate, limit, fades=True):
         self._path = str(path)
         self._duration = max(int(round(1000.0 / rate)), 1)
         self._limit = 1e6 * limit
+        self._fades = fades
         self._pictures = []
 
     @staticmethod
@@ -57,9 +58,10 @@ class Loop:
 
         first, last = self._pictures[0], self._pictures[-1]
         fade = [Image.blend(last, first, step / (self._FADE + 1)) for step in range(1, self._FADE + 1)]
-        fade = fade if len(self._pictures) > 1 else []
+        fade = fade if self._fades and len(self._pictures) > 1 else []
         durations = [self._duration] * (len(self._pictures) + len(fade))
-        durations[len(self._pictures) - 1] = self._STAY
+        if self._fades:
+            durations[len(self._pictures) - 1] = self._STAY
         # The qualities' sizes grow: half of those left at each try.
         low, high, best = 0, len(self._QUALITIES), None
         while low < high:

@@ -247,7 +247,7 @@ def render(
             Loop.check(len(numbers), size, len(views))
         makers = dict(_MOVIES) if movie else {}
         if loop is not None:
-            makers[".webp"] = lambda path, rate: Loop(path, rate, loop)
+            makers[".webp"] = lambda path, rate: Loop(path, rate, loop, not motion.loops)
         if sheet:
             makers["_sheet.png"] = lambda path, rate: Sheet(path, numbers)
         movies = {view: {f"{view}{ending}": make for ending, make in makers.items()} for view in views}

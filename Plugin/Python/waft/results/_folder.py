@@ -56,6 +56,7 @@ class Motion:
     obstacles: list  # (time in seconds, vtkPolyData), growing time
     poses: vtkPolyData  # positions and orientations as they were read
     present: np.ndarray  # whether an object is in the shot [object, frame]
+    loops: bool = False  # the last frame leads on to the first
 
     @property
     def number_of_frames(self):
@@ -109,6 +110,7 @@ def load(path):
         obstacles=obstacles_of(folder),
         poses=poses,
         present=present,
+        loops=poses.GetFieldData().HasArray("Loops") != 0,
     )
 
 

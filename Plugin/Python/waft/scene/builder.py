@@ -52,7 +52,7 @@ class Scene:
     # The stage
 
     @documented("time")
-    def set_time(self, frames: Optional[int] = None, frames_per_second: Optional[float] = None, *,
+    def set_time(self, frames: Optional[int] = None, frames_per_second: Optional[float] = None, *, loop: Optional[bool] = None,
                  comment: Optional[str] = None) -> None:
         """How long the scene is. Frames of marks are checked against it, so that it comes before them."""
         self._set("set_time", "time", locals())

@@ -27,12 +27,13 @@ SURFACES = (".vtp", ".obj", ".ply", ".stl", ".glb")
 
 
 def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60, release=None, arrive=None, order=None,
-              hold=0, blow_away=None):
+              hold=0, blow_away=None, loop=False):
     """Writes a commented scene that flies: texts and images in the order given, formed one after the other by `count` bodies of a
     built-in shape; for each curve a body that follows it; obstacles from files. release and arrive: first and last frame between which
     bodies are let go, and come to the first form (windows of those after it are as long); order: in which they come; hold: frames for
-    which each form stays; blow_away: the side by which a front carries the last one out. Raises InputError where there is a file, of
-    files and texts that no scene can use, and of times that do not fit."""
+    which each form stays; blow_away: the side by which a front carries the last one out; loop: after the last form all go back to where
+    they begin, over and over. Raises InputError where there is a file, of files and texts that no scene can use, and of times that do
+    not fit."""
     check_target(path)
     if not str(path).endswith(".waft.json"):
         raise InputError(f"{path}: expected a name that ends with .waft.json")
@@ -48,6 +49,8 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
         texts = ["WAFT"]
     forms = [{"text": text} for text in texts] + [{"image": image} for image in images]
     first, end = arrive or (round(RATE * FLIGHT),) * 2
+    if loop and (blow_away or courses):
+        raise InputError("--loop: expected words or pictures whose bodies stay, found " + ("--blow-away" if blow_away else "--path"))
     if order is not None and first == end:
         raise InputError("--order: expected a window of arrivals beside it, as --arrive 4s..8s")
     if release is not None and release[1] >= first:
@@ -60,13 +63,13 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
     last = windows[-1][1] + hold if windows else 0
     ends = last  # of the last form
     last += round(RATE * GONE) if blow_away else 0
-    last = max([last, *(len(course) - 1 for course in courses)]) + round(RATE * AFTER)
+    last = max([last, *(len(course) - 1 for course in courses)]) + round(RATE * (FLIGHT if loop else AFTER))
 
     scene = Scene(f"Made by waft new: {', '.join([*texts, *map(os.path.basename, (*images, *curves))])}"[:200],
                   comment="Fields that begin with _ are comments. Metres, seconds; z is up; frames are counted from 0. Fly it: "
                           "waft synthesize THIS --output out --preview. See it again at each change: --watch. What is hard: "
                           "waft check THIS.")
-    scene.set_time(last + 1, RATE, comment="more frames between marks: a calmer flight")
+    scene.set_time(last + 1, RATE, loop=loop or None, comment="more frames between marks: a calmer flight")
     sides = ["top", {"left": "x", "right": "x", "back": "y"}.get(blow_away)] if blow_away else []
     scene.set_domain((-2, -2, 0), (2, 2, 4), open=[side for side in sides if side] or None,
                      comment="the volume; its sides are walls, but for those that are open")
