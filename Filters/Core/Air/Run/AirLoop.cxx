@@ -16,7 +16,7 @@ namespace waft
 namespace
 {
 
-constexpr double BlendTime = 1.5;    // s, of a volume of 4 m: an eddy's own
+constexpr double BlendTime = 3.0;    // s, of a volume of 4 m
 constexpr double LongestBlend = 0.5; // of the period
 constexpr double BendTime = 1.0;     // s
 constexpr double TurnTime = 0.5;     // s, in which a body turns into another one's start
@@ -92,7 +92,7 @@ void TurnInto(const PoseTrack& start, int frames, double step, PoseTrack& poses)
   for (int k = last; k > std::max(last - frames, 0); --k)
   {
     const auto at = static_cast<std::size_t>(k);
-    const double share = SmoothStep(1.0 - static_cast<double>(last - k) / frames);
+    const double share = CubicStep(1.0 - static_cast<double>(last - k) / frames);
     const Quat wanted =
       ExpMap(-(last - k) * step * start.AngularVelocities.front()) * start.Orientations.front();
     before = NearestBranch(LogMap(wanted * poses.Orientations[at].conjugate()), before);
@@ -120,18 +120,9 @@ Result Unroll(const AssimilationInput& input, AssimilationInput& unrolled)
     CloseLoop(input.Scene, input.Objects, obstacles, unrolled.Constraints, unrolled.LoopRow));
   unrolled.Scene.Time.NumberOfFrames = frames + 1;
   const int beyond = FramesBeyond(unrolled.Scene, frames);
-  std::map<int, Vec3> ends; // by object
-  for (const Constraint& row : unrolled.Constraints)
-  {
-    if (row.Row == unrolled.LoopRow && IsPositional(row.Kind))
-    {
-      ends[row.ObjectId] = row.Value;
-    }
-  }
   for (Track& track : unrolled.Tracks)
   {
-    const auto end = ends.find(track.ObjectId);
-    track.Positions.push_back(end != ends.end() ? end->second : track.Positions.back());
+    track.Positions.push_back(track.Positions.back());
   }
   for (ObstacleMesh& obstacle : unrolled.Obstacles)
   {
@@ -196,7 +187,27 @@ void RollUp(const AssimilationInput& unrolled, AssimilationOutput& output)
       values.resize(static_cast<std::size_t>(frames));
     }
   };
-  const std::map<int, int> loopsTo = LoopsTo(loopRow, output.Constraints);
+  const auto isClosing = [loopRow](const auto& row) { return row.Row == loopRow; };
+  std::map<int, int> loopsTo = LoopsTo(loopRow, output.Constraints);
+  std::size_t open = 0;
+  for (const ReportRow& line : output.Report)
+  {
+    if (isClosing(line) && line.Status != ConstraintStatus::Met)
+    {
+      loopsTo.erase(line.ObjectId);
+      if (++open <= MostNamed)
+      {
+        output.Warnings.push_back("the scene loops, and object " + std::to_string(line.ObjectId) +
+                                  " does not go on as object " + std::to_string(line.Target) +
+                                  ": " + line.Message);
+      }
+    }
+  }
+  if (open > MostNamed)
+  {
+    output.Warnings.push_back("and " + std::to_string(open - MostNamed) +
+                              " more objects that do not go on as others");
+  }
   for (Track& track : output.Tracks)
   {
     const auto to = loopsTo.find(track.ObjectId);
@@ -210,28 +221,12 @@ void RollUp(const AssimilationInput& unrolled, AssimilationOutput& output)
   }
   std::for_each(output.Controls.begin(), output.Controls.end(), shorten);
   std::for_each(output.Free.begin(), output.Free.end(), shorten);
-  const auto isClosing = [loopRow](const auto& row) { return row.Row == loopRow; };
   auto& rows = output.Constraints;
   rows.erase(std::remove_if(rows.begin(), rows.end(), isClosing), rows.end());
   for (Constraint& row : rows)
   {
     row.Until = std::min(row.Until, frames - 1);
     row.LiftOff = std::min(row.LiftOff, frames - 1);
-  }
-  std::size_t open = 0;
-  for (const ReportRow& line : output.Report)
-  {
-    if (isClosing(line) && line.Status != ConstraintStatus::Met && ++open <= MostNamed)
-    {
-      output.Warnings.push_back("the scene loops, and object " + std::to_string(line.ObjectId) +
-                                " does not go on as object " + std::to_string(line.Target) + ": " +
-                                line.Message);
-    }
-  }
-  if (open > MostNamed)
-  {
-    output.Warnings.push_back("and " + std::to_string(open - MostNamed) +
-                              " more objects that do not go on as others");
   }
   output.Report.erase(std::remove_if(output.Report.begin(), output.Report.end(), isClosing),
                       output.Report.end());
@@ -254,7 +249,7 @@ void JoinEnds(int frames, const ParallelFor& parallel, HalfSeries& air)
             {
               HalfSeries::Field field = air.At(k);
               const HalfSeries::Field later = air.At(period + k);
-              const double share = SmoothStep(static_cast<double>(k) / static_cast<double>(beyond));
+              const double share = CubicStep(static_cast<double>(k) / static_cast<double>(beyond));
               const double wanted =
                 share * std::sqrt(MeanSquare(field)) + (1.0 - share) * std::sqrt(MeanSquare(later));
               Mix(share, field, 1.0 - share, later);

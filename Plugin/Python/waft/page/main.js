@@ -14,9 +14,9 @@ function begin() {
   const stage = new Stage(canvas, run);
   const flyers = new Flyers(stage, shapes, objects, run.frames, run.rate);
   const marks = new Marks(stage, run, objects, flyers);
-  const flown = new Paths(stage, objects.map(({ positions }) => positions), run.frames, run.rate);
+  const flown = new Paths(stage, objects.map(({ positions }) => positions), run.frames, run.rate, run.loops);
   const plan = run.plan && planned(run.plan, objects.length, run.frames);
-  const intended = plan && new Paths(stage, plan, run.frames, run.rate);
+  const intended = plan && new Paths(stage, plan, run.frames, run.rate, false);
   let stale = true;
   const changed = () => { stale = true; };
   const cameras = new Cameras(canvas, stage, flyers, run, () => { changed(); showView(); });

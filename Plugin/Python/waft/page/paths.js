@@ -4,17 +4,18 @@
 
 const RIBBON_VERTEX = `
 attribute vec4 start, end;  // place, and frame + object * frames
-uniform float frames, frame, trail, whole, picked, width;
+uniform float frames, frame, trail, whole, picked, width, loops;
 uniform vec2 pixels;
 varying float strength;
 void main() {
   float object = floor((start.w + 0.5) / frames);
   float first = start.w - object * frames;
   float along = position.x;
-  if (whole < 0.5) along = min(along, frame - first);
-  float age = frame - first - along;
+  float now = frame + (loops > 0.5 && frame < trail && first > frame ? frames : 0.0);
+  if (whole < 0.5) along = min(along, now - first);
+  float age = now - first - along;
   bool isPicked = abs(object - picked) < 0.5;
-  bool shown = first < frames - 1.5 && (whole > 0.5 || isPicked || (along > 0.0 || position.x < 0.5) && frame > first && age <= trail);
+  bool shown = first < frames - 1.5 && (whole > 0.5 || isPicked || (along > 0.0 || position.x < 0.5) && now > first && age <= trail);
   float fading = max(0.0, 1.0 - abs(age) / trail);
   strength = whole > 0.5 ? 0.22 + (age >= 0.0 ? 0.5 * fading : 0.0) : age < 0.0 ? 0.0 : 0.5 * fading * fading;
   if (isPicked) strength = max(strength, age > 0.0 ? 0.9 : 0.4);
@@ -36,7 +37,8 @@ void main() {
 }`;
 
 class Paths {
-  constructor(stage, paths, frames, rate) {
+  // loops: the last frame leads on to the first.
+  constructor(stage, paths, frames, rate, loops) {
     const values = new Float32Array(4 * paths.length * frames);
     paths.forEach((path, object) => {
       for (let k = 0, at = 4 * object * frames; k < frames; k++, at += 4) {
@@ -56,7 +58,7 @@ class Paths {
     this.material = new THREE.ShaderMaterial({ vertexShader: RIBBON_VERTEX, fragmentShader: RIBBON_FRAGMENT, transparent: true,
       depthWrite: false, side: THREE.DoubleSide, uniforms: {
         frames: { value: frames }, frame: { value: 0 }, trail: { value: Math.max(crowd * rate, 1) }, whole: { value: 0 },
-        picked: { value: -1 }, width: { value: 1 }, pixels: { value: new THREE.Vector2(1, 1) },
+        loops: { value: loops ? 1 : 0 }, picked: { value: -1 }, width: { value: 1 }, pixels: { value: new THREE.Vector2(1, 1) },
         color: { value: new THREE.Color(0xffffff) } } });
     this.mesh = new THREE.Mesh(geometry, this.material);
     this.mesh.frustumCulled = false;

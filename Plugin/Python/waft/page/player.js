@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Time: it runs, stops and is moved by hand.
 
-const HOLD = 2;  // s that the last frame stays before it begins anew
+const HOLD = 2;  // s that the last frame stays before it begins anew, unless it leads on to the first
 
 class Player {
   constructor(run, changed) {
@@ -38,13 +38,14 @@ class Player {
 
   advance(seconds) {
     if (!this.playing) return;
-    this.frame = Math.min(this.frame + seconds * this.speed * this.run.rate, this.last);
-    if (this.frame >= this.last && (this.held += seconds) > HOLD) this.frame = this.held = 0;
+    const next = this.frame + seconds * this.speed * this.run.rate;
+    this.frame = this.run.loops ? next % this.run.frames : Math.min(next, this.last);
+    if (!this.run.loops && this.frame >= this.last && (this.held += seconds) > HOLD) this.frame = this.held = 0;
     this.show();
   }
 
   show() {
-    const frame = Math.round(this.frame), seconds = (frame / this.run.rate).toFixed(1);
+    const frame = Math.min(Math.round(this.frame), this.last), seconds = (frame / this.run.rate).toFixed(1);
     this.slider.value = frame;
     this.slider.setAttribute("aria-valuetext", `frame ${frame * this.run.every} of ${this.last * this.run.every}, ${seconds} seconds`);
     if (this.reported !== frame)

@@ -39,19 +39,18 @@ def _fit(points, direction, aspect):
     return center @ axes, float(distance)
 
 
-def _blurred(values, spread):
-    """Averages over time [frame, ...], by a bell that ends after three spreads; before the first frame and after the last all stands."""
+def _windows(values, reach, loops):
+    """Of each frame the values [frame, ...] within so many frames of it, along the last axis. Before the first frame and after the last
+    all stands, or (loops) it goes on from the last to the first."""
+    beside = [(reach, reach), *[(0, 0)] * (values.ndim - 1)]
+    return np.lib.stride_tricks.sliding_window_view(np.pad(values, beside, mode="wrap" if loops else "edge"), 2 * reach + 1, axis=0)
+
+
+def _blurred(values, spread, loops):
+    """Averages over time [frame, ...], by a bell that ends after three spreads."""
     reach = max(int(3.0 * spread), 1)
     weights = np.exp(-0.5 * (np.arange(-reach, reach + 1) / max(spread, 1e-9)) ** 2)
-    values = np.concatenate([values[:1]] * reach + [values] + [values[-1:]] * reach)
-    windows = np.lib.stride_tricks.sliding_window_view(values, 2 * reach + 1, axis=0)
-    return windows @ (weights / weights.sum())
-
-
-def _largest(values, reach):
-    """The largest within so many frames of each [frame]."""
-    padded = np.pad(values, reach, mode="edge")
-    return np.lib.stride_tricks.sliding_window_view(padded, 2 * reach + 1).max(axis=1)
+    return _windows(values, reach, loops) @ (weights / weights.sum())
 
 
 class Cameras:
@@ -96,7 +95,8 @@ class Cameras:
         # A few that lie write nothing.
         most = min(resting / objects, 1.0) * min(max(resting - 1, 0) / 5.0, 1.0)
         away = np.linalg.norm(motion.positions - motion.positions[:, -1:], axis=2)
-        lying = most * _blurred((away < self._reaches[:, None]).mean(axis=0), _RISE * motion.frames_per_second)
+        lying = most * _blurred((away < self._reaches[:, None]).mean(axis=0), _RISE * motion.frames_per_second,
+                                motion.loops)
         pitch = np.radians(_LOW + (_HIGH - _LOW) * lying)
         level = np.array([-0.08, 1.0]) / math.hypot(0.08, 1.0)
         directions = np.column_stack([np.cos(pitch)[:, None] * level, -np.sin(pitch)])
@@ -129,19 +129,19 @@ class Cameras:
         reaches = self._reaches[:, None, None]
         low = np.sort(seen - reaches, axis=0)[cut // 2, each]
         high = np.sort(seen + reaches, axis=0)[objects - 1 - cut // 2, each]
-        centers = _blurred(np.einsum("fa,fad->fd", 0.5 * (low + high), axes), _LAG * rate)
+        centers = _blurred(np.einsum("fa,fad->fd", 0.5 * (low + high), axes), _LAG * rate, motion.loops)
         # Few objects are small in the picture of what they pass through; many are their own surroundings.
         around = _AROUND * rate / math.sqrt(objects)
         half = np.array([self._aspect, 1.0]) * (1.0 if is_parallel else math.tan(math.radians(_VIEW_ANGLE) / 2.0))
         needed = np.full(count, _LEAST * self._reach / half[1])
         for shift in sorted({int(round(around * part)) for part in (-1.0, -0.5, 0.0, 0.5, 1.0)}):
-            frames = np.clip(each + shift, 0, count - 1)
+            frames = (each + shift) % count if motion.loops else np.clip(each + shift, 0, count - 1)
             away = np.einsum("fad,ofd->ofa", axes, motion.positions[:, frames] - centers)
             room = ((np.abs(away[..., :2]) + reaches) / half).max(axis=2) * _MARGIN
             room -= 0.0 if is_parallel else away[..., 2]
             needed = np.maximum(needed, np.sort(room, axis=0)[objects - 1 - cut, each])
         spread = _LAG * rate
-        return directions, centers, _blurred(_largest(needed, max(int(3.0 * spread), 1)), spread)
+        return directions, centers, _blurred(_windows(needed, max(int(3.0 * spread), 1), motion.loops).max(axis=1), spread, motion.loops)
 
     def _side(self):
         direction = np.array([-0.20, 1.0, -0.15])

@@ -242,9 +242,20 @@ class Objects:
         return make
 
 
+def _ends(motion, frames):
+    """Places of the last frames [object, frame, 3] of who goes on as each object; of nobody where it begins."""
+    ends = np.repeat(motion.positions[:, :1], frames, axis=1)
+    for before, goes_on in enumerate(motion.goes_on):
+        if goes_on >= 0 and frames > 0:
+            places = motion.positions[before, -frames:]
+            ends[goes_on, frames - len(places):] = places
+    return ends
+
+
 class Trails:
     """Where each object was in the last second, fading; with at most three objects the whole way
-    since the start, fainter; with more than a hundred shorter and fainter, lest they hide what flies."""
+    since the start, fainter; with more than a hundred shorter and fainter, lest they hide what flies.
+    In a scene that loops the last second begins before the first frame, with those that go on."""
 
     def __init__(self, motion, renderer, color, width=1.5):
         self._motion = motion
@@ -253,7 +264,9 @@ class Trails:
         crowd = min(1.0, math.sqrt(100.0 / objects))
         self._length = max(int(round(crowd * motion.frames_per_second)), 1)
         self._strength = 90.0 * crowd
-        self._whole = objects <= 3
+        self._whole = objects <= 3 and not motion.loops
+        self._before = self._length if motion.loops else 0  # frames that places begin before the first one
+        self._places = np.concatenate([_ends(motion, self._before), motion.positions], axis=1)
         self._actor = vtkActor()
         self._actor.SetMapper(vtkPolyDataMapper())
         self._actor.GetProperty().LightingOff()
@@ -262,13 +275,13 @@ class Trails:
         renderer.AddActor(self._actor)
 
     def move_to(self, frame):
-        first = 0 if self._whole else max(frame - self._length, 0)
+        first = 0 if self._whole else max(frame - self._length, -self._before)
         count = frame - first + 1
         self._actor.SetVisibility(count > 1)
         if count < 2:
             return
-        points = self._motion.positions[:, first:frame + 1, :].reshape(-1, 3)
-        objects = len(self._motion.positions)
+        points = self._places[:, self._before + first:self._before + frame + 1, :].reshape(-1, 3)
+        objects = len(self._places)
         order = np.arange(objects * count).reshape(objects, count)
         data = lines(points, order)
         age = np.minimum((frame - np.arange(first, frame + 1)) / self._length, 1.0)

@@ -56,7 +56,12 @@ class Motion:
     obstacles: list  # (time in seconds, vtkPolyData), growing time
     poses: vtkPolyData  # positions and orientations as they were read
     present: np.ndarray  # whether an object is in the shot [object, frame]
-    loops: bool = False  # the last frame leads on to the first
+    goes_on: np.ndarray  # of a scene that loops: as whom each object begins anew, by index, -1 as nobody; else empty
+
+    @property
+    def loops(self):
+        """Whether the last frame leads on to the first."""
+        return len(self.goes_on) > 0
 
     @property
     def number_of_frames(self):
@@ -110,7 +115,7 @@ def load(path):
         obstacles=obstacles_of(folder),
         poses=poses,
         present=present,
-        loops=poses.GetFieldData().HasArray("Loops") != 0,
+        goes_on=_goes_on(poses, ids),
     )
 
 
@@ -131,6 +136,13 @@ def _poses(poses):
     ids, order = polylines(poses, "poses.vtp")
     points = points_of(poses, "poses.vtp")
     return ids, points[order], orientations_of(poses.GetPointData(), "poses.vtp")[order], present_of(poses.GetPointData(), "poses.vtp", order)
+
+
+def _goes_on(poses, ids):
+    if not poses.GetFieldData().HasArray("Loops"):
+        return np.empty(0, dtype=int)
+    index = {number: place for place, number in enumerate(ids.tolist())}
+    return np.array([index.get(number, -1) for number in array_of(poses.GetCellData(), "LoopTo", "poses.vtp", kind=int).tolist()])
 
 
 def _bodies(folder):
