@@ -814,7 +814,9 @@ class Times(unittest.TestCase):
         box = next(thing for thing in self.scene.objects if thing.waft.role == "VOLUME")
         box.waft.is_open, box.waft.breeze = (True, False, True), (0.5, 0.7)
         self.scene.objects["Mark"].waft.role = "NONE"
+        self.scene.waft.loops = True
         scene = self.read()
+        self.assertEqual({"frames": 90, "framesPerSecond": 24.0, "loop": True}, scene["time"])
         self.assertEqual(["x", "top"], scene["domain"]["open"])
         self.assertEqual({"breeze": [0.5, 0.0, 0.0]}, scene["air"])
         self.assertEqual([4, 7, 10, 13], sorted(entry["release"] for entry in scene["objects"]))

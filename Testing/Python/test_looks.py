@@ -15,8 +15,9 @@ from unittest import mock
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 from PIL import Image  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
 
+import datafiles  # noqa: E402
 import sample_folder  # noqa: E402
 
 from waft import cli  # noqa: E402
@@ -251,6 +252,18 @@ class LoopTest(unittest.TestCase):
         # The fade ends near where the loop begins.
         begin = [np.abs(picture - pictures[0]).mean() for picture in pictures]
         self.assertLess(begin[-1], 0.4 * begin[drawn - 1])
+
+    def test_a_scene_that_loops_needs_no_fade(self):
+        place = folder("round")
+        poses = load(place).poses
+        for name, data, values in (("Loops", poses.GetFieldData(), [1]), ("LoopTo", poses.GetCellData(), range(poses.GetNumberOfCells()))):
+            array = numpy_to_vtk(np.array(values, np.int32), deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+        datafiles.write_xml(poses, os.path.join(place, "poses.vtp"))
+        render(place, frames="0::6", size=SIZE, views="hero", samples=1, loop=3.0)
+        with Image.open(os.path.join(place, "hero.webp")) as made:
+            self.assertEqual(made.n_frames, len(range(0, sample_folder.FRAMES, 6)))
 
     def test_the_limit_holds(self):
         large = os.path.getsize(self.loop("large", 3.0))

@@ -77,6 +77,7 @@ LEFT = {
     ("HowTheAirIsFound.md", "c_k = v_k"): FORMULA,
     ("HowTheAirIsFound.md", "given      u(x, t)"): FORMULA,
     ("HowTheAirIsFound.md", "kept = min("): FORMULA,
+    ("HowTheAirIsFound.md", "u_k := c_k"): FORMULA,
     ("HowTheAirIsFound.md", "minimise  1/2 sum"): FORMULA,
     ("HowTheAirIsFound.md", "minimise over x"): FORMULA,
     ("ManyMachines.md", "mpiexec -n N waft"): "the usage; Python.Processes runs both",

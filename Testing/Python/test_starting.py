@@ -136,7 +136,11 @@ class StartingTest(unittest.TestCase):
                           ("OH", {"from": 420, "to": 510}, "left-to-right", 30)], words)  # 5 s after the hold
         checked = self.waft("check", "d.waft.json")
         self.assertEqual(0, checked.returncode, checked.stdout + checked.stderr)
-        for arguments, word in ((("--arrive", "8s..4s"), "not reversed"), (("--arrive", "1e9s"), "a time or FIRST..LAST"),
+        done = self.waft("new", "e.waft.json", "--text", "HI", "--count", 12, "--shape", "down", "--loop")
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertIs(True, json.loads((self.folder / "e.waft.json").read_text(encoding="utf-8"))["time"]["loop"])
+        for arguments, word in ((("--loop", "--blow-away", "left"), "expected words or pictures whose bodies stay"),
+                                (("--arrive", "8s..4s"), "not reversed"), (("--arrive", "1e9s"), "a time or FIRST..LAST"),
                                 (("--hold", "-1"), "a time in seconds"), (("--order", "inward"), "--order: expected a window of arrivals"),
                                 (("--release", "9s"), "--release: expected the last one before the first arrival at frame 210"),
                                 (("--release", "soon"), "a time or FIRST..LAST")):
@@ -153,6 +157,8 @@ class StartingTest(unittest.TestCase):
     def test_check_tells_what_is_hard(self):
         self.check(0, "hard: too fast: row 0 target 0: object 0 has 1 s for", " m to its mark at frame 30, ", " frames) or more",
                    "waft: row N is entry N of `constraints`", constraints=[position(0, 30, [0.6, -0.5, 2.0])])
+        self.check(0, "hard: too fast: the loop, to the start of object ", " to its mark at frame 61, ", time={"frames": 61, "loop": True},
+                   constraints=[position(0, 57, [0.6, -0.5, 2.0])])
         self.check(0, "hard: no time to fall: row 0", " s to its rest at frame 45; ", " frames) or more",
                    constraints=[{"kind": "rest", "object": 0, "frame": 45, "value": [-1, -0.5, 1]}])
         self.check(0, "hard: too near: 1 pairs of the 2 marks at frame 60",

@@ -3,6 +3,7 @@
 
 #include "Chain/ChainScene.h"
 #include "Chain/SceneCrowding.h"
+#include "Constraints/LoopRows.h"
 #include "Planning/InputCheck.h"
 #include "Planning/Planner.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
@@ -195,7 +196,10 @@ Finding AboutRow(const char* kind, const Constraint& row, const std::string& tex
 {
   Finding finding;
   finding.Kind = kind;
-  finding.Text = Format("%s: row %d target %d", kind, row.Row, row.Target) + text;
+  finding.Text = kind +
+                 (row.Row == OfNoRow ? Format(": the loop, to the start of object %d", row.Target)
+                                     : Format(": row %d target %d", row.Row, row.Target)) +
+                 text;
   finding.ObjectId = row.ObjectId;
   finding.Frame = row.Frame;
   finding.Row = row.Row;
@@ -271,7 +275,17 @@ Result JudgeScene(const Scene& scene, const MotionDatabase& database, const Para
   FindImpossible(scene, plan, judged.Findings);
   FindOdd(scene.Warnings, judged.Findings);
   FindOdd(DatabaseRemarks(database, scene.Info), judged.Findings);
-  const std::vector<Leg> legs = LegsOf(scene, plan.Constraints);
+  std::vector<Constraint> rows = plan.Constraints;
+  if (scene.Info.Loops != 0)
+  {
+    int number = 0;
+    WAFT_RETURN_IF_FAILED(CloseLoop(scene.Info, scene.Objects, obstacles, rows, number));
+    for (Constraint& row : rows)
+    {
+      row.Row = row.Row == number ? OfNoRow : row.Row;
+    }
+  }
+  const std::vector<Leg> legs = LegsOf(scene, rows);
   FindHaste(scene, legs, plan.TopSpeed, judged.Findings);
   FindFalls(scene, obstacles, legs, plan.TopSpeed, judged.Findings);
   FindCrowding(scene, obstacles, plan.Constraints, judged.Findings);
