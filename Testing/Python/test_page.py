@@ -34,6 +34,7 @@ from waft.page import writing as pages  # noqa: E402
 from waft.page._pagedata import describe  # noqa: E402
 from waft.reading import read_blocks, read_surface  # noqa: E402
 from waft.results.exporting import export  # noqa: E402
+from waft.scene import Scene  # noqa: E402
 from waft.synthesis import synthesize  # noqa: E402
 from waft.vtkWaftFilters import vtkMotionAnimationWriter  # noqa: E402
 
@@ -621,6 +622,23 @@ class BrowserTest(unittest.TestCase):
         self.browser.prefer(color_scheme="light", reduced_motion="reduce")
         self.browser.wait("document.getElementById('scheme').value === 'paper'")
         self.assertLess(dark, 0.5 * bright)
+
+
+@unittest.skipUnless(PROGRAM, "chromium is not installed: the page was not looked at")
+class LoopTest(unittest.TestCase):
+    def test_a_loop_goes_on_over_its_end(self):
+        made = Scene("Round and round", seed=3)
+        made.set_time(60, loop=True)
+        made.add_objects("bubble", count=6, region={"min": (-1, -1, 1), "max": (1, 1, 3)})
+        synthesize(made, output=WORK / "round", preview=True, _settings={"Assimilation": {"Resolution": 16, "LatticeResolution": 12}})
+        write_page(WORK / "round")
+        with Browser() as browser:
+            browser.prefer(reduced_motion="reduce")
+            browser.open(WORK / "round" / "page.html", "window.waft && waft.ready")
+            browser.run("waft.seek(55), waft.play()")
+            browser.wait("waft.frame < 20", seconds=1.5)  # one that does not stays at its end for two
+            self.assertTrue(browser.run("waft.playing"))
+            self.assertEqual([], browser.errors)
 
 
 if __name__ == "__main__":

@@ -94,7 +94,8 @@ Result WriteAnimation(const std::string& fileName, vtkPolyData* data,
     }
     animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId),
                          std::move(tracks[i].Positions), std::move(poses[i].Orientations),
-                         std::move(marks[tracks[i].ObjectId]), std::move(sizes) });
+                         std::move(marks[tracks[i].ObjectId]), std::move(sizes),
+                         tracks[i].LoopTo });
     poses[i] = PoseTrack();
   }
   return WriteAnimationGlb(fileName, shapes, std::move(animated), info.Time.FramesPerSecond,

@@ -29,6 +29,7 @@ struct AnimatedObject
   std::vector<Quat> Orientations; // body to world, unit
   std::vector<int> Marks = {};    // frames whose keys stay when keys are thinned
   std::vector<float> Sizes = {};  // of its own, 0 to 1; empty: its own throughout
+  int LoopTo = -1;                // the ObjectId as which it begins anew; -1: none
 };
 
 /// A point or a direction by the axes of glTF.

@@ -132,6 +132,10 @@ public:
     const std::string& shape = this->Model.meshes[object.Shape].name;
     node.name = (shape.empty() ? "object" : shape) + "-" + std::to_string(object.ObjectId);
     node.extras = Extras("ObjectId", tinygltf::Value(object.ObjectId));
+    if (object.LoopTo >= 0)
+    {
+      node.extras.Get<tinygltf::Value::Object>()["LoopTo"] = tinygltf::Value(object.LoopTo);
+    }
     node.mesh = static_cast<int>(object.Shape);
     const Vec3 translation = ToYUp(object.Positions[0] - this->Origin);
     const Vec3 axis = ToYUp(object.Orientations[0].vec());

@@ -37,7 +37,7 @@ def describe(path, measured=None):
            "origin": origin, "rate": rate / every, "frames": math.ceil(frames / every), "every": every, "bounds": bounds,
            "marks": [_at_shown(mark, every, frames) for mark in marks_of(folder)], "plan": _plan(folder, ids, frames, every),
            "obstacles": _obstacles(folder, bounds, origin, rate, frames, every), "energy": _energy(folder), "rounds": _rounds(folder),
-           "measured": _measured(folder, measured), "loops": report.get("time", {}).get("loop", False)}
+           "measured": _measured(folder, measured)}
     try:
         return run, shown(animation, frames, every)
     except (ValueError, LookupError, TypeError) as error:

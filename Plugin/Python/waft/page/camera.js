@@ -91,25 +91,29 @@ class Cameras {
 
   // Near what flies, from low down, rising over what has come to lie.
   auto(frame) {
-    const step = Math.max(Math.round(this.run.rate / 2), 1), count = Math.ceil((this.run.frames - 1) / step) + 1;
+    const { loops, rate, frames: all } = this.run, half = Math.max(Math.round(rate / 2), 1);
+    const count = loops ? Math.max(Math.round(all / half), 1) : Math.ceil((all - 1) / half) + 1;
+    const step = loops ? all / count : half;
     if (!this.fits.auto) {
       const rough = [...Array(count).keys()].map((key) => {
-        const at = Math.min(key * step, this.run.frames - 1);
-        const frames = [-2, -1, 0, 1, 2].map((k) => Math.min(Math.max(at + k * step, 0), this.run.frames - 1));
+        const at = Math.min(key * step, all - 1);
+        const frames = [-2, -1, 0, 1, 2].map((k) => loops ? Math.floor((at + k * step + 2 * all) % all) : Math.min(Math.max(at + k * step, 0), all - 1));
+        const turned = loops ? 0.25 - 0.25 * Math.cos(2 * Math.PI * at / all) : 0.5 * at / all;
         const rise = this.lands ? smooth((at - this.landing + 3.5 * this.run.rate) / (4.5 * this.run.rate)) : 0;
-        const elevation = mix(0.2, this.isCrowd ? 1.2 : 0.6, rise), azimuth = mix(-0.42, 0, this.lands ? smooth(at / this.landing) : 0.5 * at / this.run.frames);
+        const elevation = mix(0.2, this.isCrowd ? 1.2 : 0.6, rise), azimuth = mix(-0.42, 0, this.lands ? smooth(at / this.landing) : turned);
         const places = this.places(frames).concat(this.lands && this.isCrowd ? this.ends : []);
         return this.fit(places, azimuth, elevation, Math.max(9 * this.reach, this.isCrowd ? 0.45 * this.stage.size : 0) / Math.min(this.aspect, 1));
       });
       this.fits.auto = rough.map((_, key) => rough.reduce((sum, pose, other) => {
-        const weight = Math.exp(-0.5 * ((key - other) / 1.5) ** 2), all = sum.weight + weight;
-        sum.target.lerp(pose.target, weight / all);
-        for (const name of ["azimuth", "elevation", "distance"]) sum[name] = mix(sum[name], pose[name], weight / all);
-        return Object.assign(sum, { weight: all });
+        const away = key - other - (loops ? count * Math.round((key - other) / count) : 0);
+        const weight = Math.exp(-0.5 * (away / 1.5) ** 2), weights = sum.weight + weight;
+        sum.target.lerp(pose.target, weight / weights);
+        for (const name of ["azimuth", "elevation", "distance"]) sum[name] = mix(sum[name], pose[name], weight / weights);
+        return Object.assign(sum, { weight: weights });
       }, { target: new THREE.Vector3(), azimuth: 0, elevation: 0, distance: 0, weight: 0 }));
     }
-    const key = Math.min(frame / step, count - 1), first = Math.floor(key), part = smooth(key - first);
-    const [a, b] = [this.fits.auto[first], this.fits.auto[Math.min(first + 1, count - 1)]];
+    const key = loops ? frame / step : Math.min(frame / step, count - 1), first = Math.floor(key), part = smooth(key - first);
+    const [a, b] = [first, first + 1].map((number) => this.fits.auto[loops ? number % count : Math.min(number, count - 1)]);
     return { target: a.target.clone().lerp(b.target, part), azimuth: mix(a.azimuth, b.azimuth, part),
       elevation: mix(a.elevation, b.elevation, part), distance: mix(a.distance, b.distance, part) };
   }

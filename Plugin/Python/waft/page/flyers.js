@@ -21,11 +21,11 @@ const FILM = `float facing = saturate(dot(normalize(vViewPosition), normal));
   gl_FragColor = vec4(mix(vec3(1.0), sheen, 0.45) * (0.75 + 0.25 * rim) + glint, saturate(0.06 + 0.75 * rim + glint));`;
 
 class Flyers {
-  // rate: frames a second.
-  constructor(stage, shapes, objects, frames, rate) {
-    this.objects = objects;
-    this.frames = frames;
-    this.rate = rate;
+  // rate: frames a second; loops: after the last frame each goes on as another one.
+  constructor(stage, shapes, objects, { frames, rate, loops }) {
+    Object.assign(this, { objects, frames, rate, loops });
+    const placeOf = new Map(objects.map(({ id }, index) => [id, index]));
+    this.goesOn = objects.map(({ loopTo }, index) => placeOf.has(loopTo) ? placeOf.get(loopTo) : index);
     this.extents = shapes.map(({ geometry }) => Math.max(...geometry.boundingBox.getSize(new THREE.Vector3()).toArray()));
     this.group = new THREE.Group();
     this.meshes = shapes.map((shape, number) => {
@@ -91,18 +91,20 @@ class Flyers {
 
   // paths: what gives other positions than those of the animation; the turning is the animation's in any case.
   moveTo(frame, paths) {
-    const first = Math.min(Math.floor(frame), this.frames - 1), next = Math.min(first + 1, this.frames - 1);
+    const first = Math.min(Math.floor(frame), this.frames - 1), isLast = first + 1 === this.frames;
+    const next = !isLast ? first + 1 : this.loops ? 0 : first;
     const part = frame - first;
     const turn = new THREE.Quaternion(), later = new THREE.Quaternion(), matrix = new THREE.Matrix4();
     const size = new THREE.Vector3();
     this.objects.forEach((object, index) => {
-      const positions = paths ? paths[index] : object.positions;
+      const after = isLast && this.loops ? this.goesOn[index] : index;
+      const [positions, then] = [index, after].map((number) => paths ? paths[number] : this.objects[number].positions);
       const place = this.at[index];
       for (let axis = 0; axis < 3; axis++)
-        place.setComponent(axis, positions[3 * first + axis] * (1 - part) + positions[3 * next + axis] * part);
+        place.setComponent(axis, positions[3 * first + axis] * (1 - part) + then[3 * next + axis] * part);
       const seen = this.sizeAt(object, frame);
       size.set(seen, seen, seen);
-      turn.fromArray(object.rotations, 4 * first).slerp(later.fromArray(object.rotations, 4 * next), part);
+      turn.fromArray(object.rotations, 4 * first).slerp(later.fromArray(this.objects[after].rotations, 4 * next), part);
       this.meshes[object.shape].setMatrixAt(object.place, matrix.compose(place, turn, size));
     });
     for (const mesh of this.meshes) mesh.instanceMatrix.needsUpdate = true;

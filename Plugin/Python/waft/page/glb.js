@@ -59,8 +59,8 @@ class Glb {
     });
   }
 
-  // One entry an object: its shape, positions and quaternions (x, y, z, w) of all frames, and where it is not seen at all of them
-  // the times [s] from which it is seen or not, with its size.
+  // One entry an object: its shape, in a loop as whom it begins anew, positions and quaternions (x, y, z, w) of all frames, and where it
+  // is not seen at all of them the times [s] from which it is seen or not, with its size.
   objects() {
     const keys = this.json.nodes.map(() => ({}));
     const { channels, samplers } = this.json.animations[0];
@@ -68,7 +68,7 @@ class Glb {
       keys[target.node][target.path] = this.accessor(samplers[sampler].output);
       if (target.path === "scale") keys[target.node].times = this.accessor(samplers[sampler].input);
     }
-    return this.json.nodes.flatMap(({ name, mesh, extras }, index) => extras ? [{ name, id: extras.ObjectId, shape: mesh,
+    return this.json.nodes.flatMap(({ name, mesh, extras }, index) => extras ? [{ name, id: extras.ObjectId, loopTo: extras.LoopTo, shape: mesh,
       positions: keys[index].translation, rotations: keys[index].rotation, times: keys[index].times,
       sizes: keys[index].scale }] : []);
   }

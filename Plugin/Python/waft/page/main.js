@@ -8,11 +8,12 @@ function begin() {
   const animation = bytesOfBase64(byName("animation").textContent);
   const glb = new Glb(animation);
   const shapes = glb.shapes(), objects = glb.objects();
+  run.loops = objects.some(({ loopTo }) => loopTo !== undefined);
   tellFacts(run, objects, shapes);
 
   const canvas = byName("canvas");
   const stage = new Stage(canvas, run);
-  const flyers = new Flyers(stage, shapes, objects, run.frames, run.rate);
+  const flyers = new Flyers(stage, shapes, objects, run);
   const marks = new Marks(stage, run, objects, flyers);
   const flown = new Paths(stage, objects.map(({ positions }) => positions), run.frames, run.rate, run.loops);
   const plan = run.plan && planned(run.plan, objects.length, run.frames);
@@ -131,7 +132,7 @@ function begin() {
 
   let before = performance.now();
   function tick(now) {
-    const seconds = Math.min((now - before) / 1000, 0.25);
+    const seconds = Math.min(Math.max(now - before, 0) / 1000, 0.25);  // a first picture may be of before
     before = now;
     player.advance(seconds);
     if (stale) {

@@ -48,7 +48,7 @@ TAKES = _object("takes", takes=_list(_object(
     folder={"type": "string", "pattern": r"^take-\d{4,}\Z", "description": "the name of a take's folder"}, seconds=_SECONDS,
     status={"type": "integer", "minimum": 0, "maximum": 255}, met=_COUNT, wishes=_COUNT, processorSeconds=_SECONDS, peakMemoryMB=_SECONDS,
     measures=_list(_object("key value met", **_MEASURE["properties"])))))
-_NODE = _object(extras=_object("ObjectId", ObjectId={"type": "integer", "minimum": 0, "maximum": 1000000000}),
+_NODE = _object(extras=_object("ObjectId", **dict.fromkeys(("ObjectId", "LoopTo"), {"type": "integer", "minimum": 0, "maximum": 1000000000})),
                 translation=_list({"type": "number", "minimum": -1e9, "maximum": 1e9}, minItems=3, maxItems=3))
 _INDEX = {"type": "integer", "minimum": 0, "maximum": 1 << 31}
 _ANIMATION = _object("channels samplers", channels=_list({"type": "object"}), samplers=_list(_object("input", input=_INDEX), minItems=1))
