@@ -30,9 +30,9 @@ FIGURES = {
         "band_0.3": 0.535, "band_0.6": 0.608, "band_1.2": 0.768, "start": 1.19, "witnesses_life_velocity": 0.606,
         "witnesses_life_acceleration": 0.641, "witnesses_one_air_along": 0.688},
     "leaves-letters": {
-        "private_hand": 0.0315, "replay": 0.0248, "life_velocity": 1.22, "life_acceleration": 1.09, "band_0.1": 1.1,
+        "private_hand": 0.0315, "replay": 0.0248, "life_velocity": 1.22, "life_acceleration": 1.09, "band_0.1": 1.32,
         "band_0.3": 1.2, "band_0.6": 1.03, "band_1.2": 1.1, "start": 1.14, "witnesses_life_velocity": 0.83,
-        "witnesses_life_acceleration": 0.855, "witnesses_one_air_along": 0.655, "landing": 0.614},
+        "witnesses_life_acceleration": 0.855, "witnesses_one_air_along": 0.655, "landing": 0.799},
     "bubbles-stairs": {
         "private_hand": 0.0132, "replay": 0.00973, "life_velocity": 3.62, "life_acceleration": 7.95, "band_0.1": 3.69,
         "band_0.3": 3.63, "band_0.6": 3.47, "band_1.2": 5.94, "start": 0.729, "witnesses_life_velocity": 1.56,
