@@ -3,7 +3,6 @@
 
 #include "Air/Run/AirAssimilation.h"
 #include "Air/Run/AssimilationState.h"
-#include "Base/SliceOptions.h"
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SceneData.h"
@@ -48,7 +47,6 @@ enum InputPort
   WindPort,
   ScenesVorticesPort,
   ShapesPort,
-  NumberOfInputs
 };
 
 enum OutputPort
@@ -59,10 +57,7 @@ enum OutputPort
   ConstraintsPort,
   ReportPort,
   RoundsPort,
-  NumberOfOutputs
 };
-
-const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Assimilation);
 
 } // namespace
 
@@ -193,24 +188,13 @@ void vtkAirAssimilationFilter::Internals::FillVarying(double time,
                    vtkImageData::GetData(outputs, AirPort));
 }
 
-vtkAirAssimilationFilter::vtkAirAssimilationFilter() : Impl(std::make_unique<Internals>(this))
+vtkAirAssimilationFilter::vtkAirAssimilationFilter() :
+  vtkChainStageAlgorithm(waft::ChainStage::Assimilation), Impl(std::make_unique<Internals>(this))
 {
   waft::TakeDefaults<waft::AssimilationOptions, waft::TurningOptions>(*this);
-  this->SetNumberOfInputPorts(NumberOfInputs);
-  this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkAirAssimilationFilter::~vtkAirAssimilationFilter() = default;
-
-void vtkAirAssimilationFilter::SetController(vtkMultiProcessController* controller)
-{
-  this->Controller = controller; // which changes no byte of what comes out
-}
-
-vtkMultiProcessController* vtkAirAssimilationFilter::GetController()
-{
-  return this->Controller;
-}
 
 double vtkAirAssimilationFilter::InRange(const char* property, double value)
 {
@@ -228,25 +212,9 @@ void vtkAirAssimilationFilter::Restart()
   this->Modified();
 }
 
-int vtkAirAssimilationFilter::FillInputPortInformation(int port, vtkInformation* info)
+std::vector<waft::PropertyRange> vtkAirAssimilationFilter::Ranges() const
 {
-  return waft::FillInput(Inputs, port, info);
-}
-
-int vtkAirAssimilationFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return waft::FillOutput(waft::ChainStage::Assimilation, port, info);
-}
-
-vtkTypeBool vtkAirAssimilationFilter::ProcessRequest(vtkInformation* request,
-                                                     vtkInformationVector** inputs,
-                                                     vtkInformationVector* outputs)
-{
-  return waft::GuardedRequest(
-    this, request, inputs, outputs, Inputs,
-    waft::RangesOf<waft::AssimilationOptions, waft::TurningOptions, waft::SliceOptions>(*this),
-    [&](vtkInformationVector** taken)
-    { return this->Superclass::ProcessRequest(request, taken, outputs); });
+  return waft::RangesOf<waft::AssimilationOptions, waft::TurningOptions>(*this);
 }
 
 int vtkAirAssimilationFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -264,22 +232,8 @@ int vtkAirAssimilationFilter::RequestInformation(vtkInformation*, vtkInformation
   return 1;
 }
 
-int vtkAirAssimilationFilter::RequestUpdateExtent(vtkInformation* request,
-                                                  vtkInformationVector** inputs,
-                                                  vtkInformationVector* outputs)
-{
-  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
-}
-
-int vtkAirAssimilationFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                                          vtkInformationVector* outputs)
-{
-  return this->Impl->RequestData(request, inputs, outputs);
-}
-
 void vtkAirAssimilationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::AssimilationOptions, waft::TurningOptions>(os, indent, *this);
-  os << indent << "Active: " << this->Active << "\n";
 }

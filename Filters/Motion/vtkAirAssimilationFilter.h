@@ -28,8 +28,7 @@
 #define vtkAirAssimilationFilter_h
 
 #include "WaftProperty.h"
-#include "vtkSlicedPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h"
+#include "vtkChainStageAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -41,13 +40,11 @@ struct AssimilationOptions;
 struct TurningOptions;
 } // namespace waft
 
-class vtkMultiProcessController;
-
-class VTKWAFTFILTERS_EXPORT vtkAirAssimilationFilter : public vtkSlicedPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkAirAssimilationFilter : public vtkChainStageAlgorithm
 {
 public:
   static vtkAirAssimilationFilter* New();
-  vtkTypeMacro(vtkAirAssimilationFilter, vtkSlicedPolyDataAlgorithm);
+  vtkTypeMacro(vtkAirAssimilationFilter, vtkChainStageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   WaftProperty(int, Resolution);
@@ -91,38 +88,14 @@ public:
   void RemoveAllShapes() { this->SetInputConnection(6, nullptr); }
   ///@}
 
-  ///@{
-  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
-  vtkSetMacro(Active, bool);
-  vtkGetMacro(Active, bool);
-  vtkBooleanMacro(Active, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Processes whose bodies drift for this one, the first; the others are in vtkSharedWork::Serve.
-   * None by default: this one alone.
-   */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
-                             vtkInformationVector* outputs) override;
-
 protected:
   vtkAirAssimilationFilter();
   ~vtkAirAssimilationFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                          vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
-                          vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                  vtkInformationVector* outputs) override;
   waft::KeptStage& Kept() override;
+  std::vector<waft::PropertyRange> Ranges() const override;
 
 private:
   vtkAirAssimilationFilter(const vtkAirAssimilationFilter&) = delete;
@@ -133,9 +106,6 @@ private:
   // Whose fields the properties are.
   friend struct waft::AssimilationOptions;
   friend struct waft::TurningOptions;
-
-  bool Active = true;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRotationRefineFilter.h"
 
-#include "Base/SliceOptions.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
@@ -50,7 +49,6 @@ enum InputPort
   WindPort,
   ConstraintsPort,
   AirPort,
-  NumberOfInputs
 };
 
 enum OutputPort
@@ -58,10 +56,7 @@ enum OutputPort
   MeshesPort,
   PosesPort,
   ReportPort,
-  NumberOfOutputs
 };
-
-const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Rotation);
 
 } // namespace
 
@@ -304,24 +299,13 @@ void vtkRotationRefineFilter::Internals::FillVarying(double time,
   }
 }
 
-vtkRotationRefineFilter::vtkRotationRefineFilter() : Impl(std::make_unique<Internals>(this))
+vtkRotationRefineFilter::vtkRotationRefineFilter() :
+  vtkChainStageAlgorithm(waft::ChainStage::Rotation), Impl(std::make_unique<Internals>(this))
 {
   waft::TakeDefaults<waft::RotationOptions>(*this);
-  this->SetNumberOfInputPorts(NumberOfInputs);
-  this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkRotationRefineFilter::~vtkRotationRefineFilter() = default;
-
-void vtkRotationRefineFilter::SetController(vtkMultiProcessController* controller)
-{
-  this->Controller = controller; // which changes no byte of what comes out
-}
-
-vtkMultiProcessController* vtkRotationRefineFilter::GetController()
-{
-  return this->Controller;
-}
 
 double vtkRotationRefineFilter::InRange(const char* property, double value)
 {
@@ -333,50 +317,13 @@ waft::KeptStage& vtkRotationRefineFilter::Kept()
   return *this->Impl;
 }
 
-int vtkRotationRefineFilter::FillInputPortInformation(int port, vtkInformation* info)
+std::vector<waft::PropertyRange> vtkRotationRefineFilter::Ranges() const
 {
-  return waft::FillInput(Inputs, port, info);
-}
-
-int vtkRotationRefineFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return waft::FillOutput(waft::ChainStage::Rotation, port, info);
-}
-
-vtkTypeBool vtkRotationRefineFilter::ProcessRequest(vtkInformation* request,
-                                                    vtkInformationVector** inputs,
-                                                    vtkInformationVector* outputs)
-{
-  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
-                              waft::RangesOf<waft::RotationOptions, waft::SliceOptions>(*this),
-                              [&](vtkInformationVector** taken) {
-                                return this->Superclass::ProcessRequest(request, taken, outputs);
-                              });
-}
-
-int vtkRotationRefineFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
-                                                vtkInformationVector* outputs)
-{
-  waft::PassTimeSteps(this, inputs, outputs);
-  return 1;
-}
-
-int vtkRotationRefineFilter::RequestUpdateExtent(vtkInformation* request,
-                                                 vtkInformationVector** inputs,
-                                                 vtkInformationVector* outputs)
-{
-  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
-}
-
-int vtkRotationRefineFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                                         vtkInformationVector* outputs)
-{
-  return this->Impl->RequestData(request, inputs, outputs);
+  return waft::RangesOf<waft::RotationOptions>(*this);
 }
 
 void vtkRotationRefineFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::RotationOptions>(os, indent, *this);
-  os << indent << "Active: " << this->Active << "\n";
 }

@@ -38,8 +38,7 @@
 #define vtkRotationRefineFilter_h
 
 #include "WaftProperty.h"
-#include "vtkSlicedPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h"
+#include "vtkChainStageAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -50,13 +49,11 @@ struct RotationOptions;
 struct TurningOptions;
 }
 
-class vtkMultiProcessController;
-
-class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkSlicedPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkChainStageAlgorithm
 {
 public:
   static vtkRotationRefineFilter* New();
-  vtkTypeMacro(vtkRotationRefineFilter, vtkSlicedPolyDataAlgorithm);
+  vtkTypeMacro(vtkRotationRefineFilter, vtkChainStageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   WaftProperty(int, Model);
@@ -83,38 +80,12 @@ public:
   void RemoveAllAir() { this->SetInputConnection(6, nullptr); }
   ///@}
 
-  ///@{
-  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
-  vtkSetMacro(Active, bool);
-  vtkGetMacro(Active, bool);
-  vtkBooleanMacro(Active, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Processes that turn bodies for this one, the first; the others are in vtkSharedWork::Serve.
-   * None by default: this one alone.
-   */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
-                             vtkInformationVector* outputs) override;
-
 protected:
   vtkRotationRefineFilter();
   ~vtkRotationRefineFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
-                         vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
-                          vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                  vtkInformationVector* outputs) override;
   waft::KeptStage& Kept() override;
+  std::vector<waft::PropertyRange> Ranges() const override;
 
 private:
   vtkRotationRefineFilter(const vtkRotationRefineFilter&) = delete;
@@ -125,9 +96,6 @@ private:
   // Whose fields the properties are.
   friend struct waft::RotationOptions;
   friend struct waft::TurningOptions;
-
-  bool Active = true;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

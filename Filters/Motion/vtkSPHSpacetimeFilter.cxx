@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSPHSpacetimeFilter.h"
 
-#include "Base/SliceOptions.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
@@ -42,7 +41,6 @@ enum InputPort
   GuessedVorticesPort,
   BackgroundPort,
   AirPort,
-  NumberOfInputs
 };
 
 enum OutputPort
@@ -53,10 +51,7 @@ enum OutputPort
   WindPort,
   ConvergencePort,
   ReportPort,
-  NumberOfOutputs
 };
-
-const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Spacetime);
 
 } // namespace
 
@@ -190,11 +185,10 @@ void vtkSPHSpacetimeFilter::Internals::FillVarying(double time, vtkInformationVe
                            vtkImageData::GetData(outputs, WindPort));
 }
 
-vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() : Impl(std::make_unique<Internals>(this))
+vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() :
+  vtkChainStageAlgorithm(waft::ChainStage::Spacetime), Impl(std::make_unique<Internals>(this))
 {
   waft::TakeDefaults<waft::SpacetimeOptions>(*this);
-  this->SetNumberOfInputPorts(NumberOfInputs);
-  this->SetNumberOfOutputPorts(NumberOfOutputs);
   this->Controller = vtkMultiProcessController::GetGlobalController();
 }
 
@@ -219,11 +213,6 @@ void vtkSPHSpacetimeFilter::SetController(vtkMultiProcessController* controller)
   }
 }
 
-vtkMultiProcessController* vtkSPHSpacetimeFilter::GetController()
-{
-  return this->Controller;
-}
-
 void vtkSPHSpacetimeFilter::Continue()
 {
   this->Modified();
@@ -234,25 +223,9 @@ void vtkSPHSpacetimeFilter::Restart()
   this->Modified();
 }
 
-int vtkSPHSpacetimeFilter::FillInputPortInformation(int port, vtkInformation* info)
+std::vector<waft::PropertyRange> vtkSPHSpacetimeFilter::Ranges() const
 {
-  return waft::FillInput(Inputs, port, info);
-}
-
-int vtkSPHSpacetimeFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return waft::FillOutput(waft::ChainStage::Spacetime, port, info);
-}
-
-vtkTypeBool vtkSPHSpacetimeFilter::ProcessRequest(vtkInformation* request,
-                                                  vtkInformationVector** inputs,
-                                                  vtkInformationVector* outputs)
-{
-  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
-                              waft::RangesOf<waft::SpacetimeOptions, waft::SliceOptions>(*this),
-                              [&](vtkInformationVector** taken) {
-                                return this->Superclass::ProcessRequest(request, taken, outputs);
-                              });
+  return waft::RangesOf<waft::SpacetimeOptions>(*this);
 }
 
 int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -271,23 +244,8 @@ int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVec
   return 1;
 }
 
-int vtkSPHSpacetimeFilter::RequestUpdateExtent(vtkInformation* request,
-                                               vtkInformationVector** inputs,
-                                               vtkInformationVector* outputs)
-{
-  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
-}
-
-int vtkSPHSpacetimeFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                                       vtkInformationVector* outputs)
-{
-  return this->Impl->RequestData(request, inputs, outputs);
-}
-
 void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::SpacetimeOptions>(os, indent, *this);
-  os << indent << "Active: " << this->Active << "\n";
-  os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

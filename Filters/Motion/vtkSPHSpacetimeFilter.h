@@ -38,15 +38,12 @@
 #define vtkSPHSpacetimeFilter_h
 
 #include "WaftProperty.h"
-#include "vtkSlicedPolyDataAlgorithm.h"
+#include "vtkChainStageAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
-
-#include <vtkSmartPointer.h>
 
 #include <memory>
 #include <string>
 
-class vtkMultiProcessController;
 class vtkTable;
 namespace waft
 {
@@ -54,11 +51,11 @@ struct SpacetimeOptions;
 struct TermWeights;
 } // namespace waft
 
-class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkSlicedPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkChainStageAlgorithm
 {
 public:
   static vtkSPHSpacetimeFilter* New();
-  vtkTypeMacro(vtkSPHSpacetimeFilter, vtkSlicedPolyDataAlgorithm);
+  vtkTypeMacro(vtkSPHSpacetimeFilter, vtkChainStageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   WaftProperty(int, NumberOfGasParticles);
@@ -106,12 +103,9 @@ public:
   void Restart();
   ///@}
 
-  ///@{
   /** The processes that wait for the first to solve; the global controller, unless set. Null: this
    * one solves for itself. */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
+  void SetController(vtkMultiProcessController* controller) override;
 
   ///@{
   /// Take an optional input away.
@@ -121,29 +115,14 @@ public:
   void RemoveAllAir() { this->SetInputConnection(6, nullptr); }
   ///@}
 
-  ///@{
-  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
-  vtkSetMacro(Active, bool);
-  vtkGetMacro(Active, bool);
-  vtkBooleanMacro(Active, bool);
-  ///@}
-
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
-                             vtkInformationVector* outputs) override;
-
 protected:
   vtkSPHSpacetimeFilter();
   ~vtkSPHSpacetimeFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                          vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
-                          vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                  vtkInformationVector* outputs) override;
   waft::KeptStage& Kept() override;
+  std::vector<waft::PropertyRange> Ranges() const override;
 
 private:
   vtkSPHSpacetimeFilter(const vtkSPHSpacetimeFilter&) = delete;
@@ -154,9 +133,6 @@ private:
   // Whose fields the properties are.
   friend struct waft::SpacetimeOptions;
   friend struct waft::TermWeights;
-
-  vtkSmartPointer<vtkMultiProcessController> Controller;
-  bool Active = true;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

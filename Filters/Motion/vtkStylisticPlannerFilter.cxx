@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStylisticPlannerFilter.h"
 
-#include "Base/SliceOptions.h"
 #include "Base/StateArchive.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
@@ -49,7 +48,6 @@ enum InputPort
   ConstraintsPort,
   ObstaclesPort,
   GuidesPort,
-  NumberOfInputs
 };
 
 enum OutputPort
@@ -62,10 +60,7 @@ enum OutputPort
   TakesPort,
   FlightsPort,
   ObjectReportPort,
-  NumberOfOutputs
 };
-
-const waft::StageInputs Inputs = waft::InputsOf(waft::ChainStage::Planner);
 
 } // namespace
 
@@ -219,24 +214,13 @@ void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan
   waft::TakesToTable(takes, this->Scene, this->Kept<vtkTable>(TakesPort));
 }
 
-vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<Internals>(this))
+vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() :
+  vtkChainStageAlgorithm(waft::ChainStage::Planner), Impl(std::make_unique<Internals>(this))
 {
   waft::TakeDefaults<waft::PlanOptions, waft::TakeOptions>(*this);
-  this->SetNumberOfInputPorts(NumberOfInputs);
-  this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkStylisticPlannerFilter::~vtkStylisticPlannerFilter() = default;
-
-void vtkStylisticPlannerFilter::SetController(vtkMultiProcessController* controller)
-{
-  this->Controller = controller; // which changes no byte of what comes out
-}
-
-vtkMultiProcessController* vtkStylisticPlannerFilter::GetController()
-{
-  return this->Controller;
-}
 
 double vtkStylisticPlannerFilter::InRange(const char* property, double value)
 {
@@ -248,51 +232,14 @@ waft::KeptStage& vtkStylisticPlannerFilter::Kept()
   return *this->Impl;
 }
 
-int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation* info)
+std::vector<waft::PropertyRange> vtkStylisticPlannerFilter::Ranges() const
 {
-  return waft::FillInput(Inputs, port, info);
-}
-
-int vtkStylisticPlannerFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  return waft::FillOutput(waft::ChainStage::Planner, port, info);
-}
-
-vtkTypeBool vtkStylisticPlannerFilter::ProcessRequest(vtkInformation* request,
-                                                      vtkInformationVector** inputs,
-                                                      vtkInformationVector* outputs)
-{
-  return waft::GuardedRequest(
-    this, request, inputs, outputs, Inputs,
-    waft::RangesOf<waft::PlanOptions, waft::TakeOptions, waft::SliceOptions>(*this),
-    [&](vtkInformationVector** taken)
-    { return this->Superclass::ProcessRequest(request, taken, outputs); });
-}
-
-int vtkStylisticPlannerFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
-                                                  vtkInformationVector* outputs)
-{
-  waft::PassTimeSteps(this, inputs, outputs);
-  return 1;
-}
-
-int vtkStylisticPlannerFilter::RequestUpdateExtent(vtkInformation* request,
-                                                   vtkInformationVector** inputs,
-                                                   vtkInformationVector* outputs)
-{
-  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
-}
-
-int vtkStylisticPlannerFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                                           vtkInformationVector* outputs)
-{
-  return this->Impl->RequestData(request, inputs, outputs);
+  return waft::RangesOf<waft::PlanOptions, waft::TakeOptions>(*this);
 }
 
 void vtkStylisticPlannerFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::PlanOptions, waft::TakeOptions>(os, indent, *this);
-  os << indent << "Active: " << this->Active << "\n";
   os << indent << "NumberOfPlannedObjects: " << this->NumberOfPlannedObjects << "\n";
 }

@@ -40,8 +40,7 @@
 #define vtkStylisticPlannerFilter_h
 
 #include "WaftProperty.h"
-#include "vtkSlicedPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h"
+#include "vtkChainStageAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -53,13 +52,11 @@ struct TakeOptions;
 struct RotationRange;
 }
 
-class vtkMultiProcessController;
-
-class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkSlicedPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkChainStageAlgorithm
 {
 public:
   static vtkStylisticPlannerFilter* New();
-  vtkTypeMacro(vtkStylisticPlannerFilter, vtkSlicedPolyDataAlgorithm);
+  vtkTypeMacro(vtkStylisticPlannerFilter, vtkChainStageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum RotationFreedoms
@@ -101,38 +98,12 @@ public:
   void RemoveAllGuides() { this->SetInputConnection(4, nullptr); }
   ///@}
 
-  ///@{
-  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
-  vtkSetMacro(Active, bool);
-  vtkGetMacro(Active, bool);
-  vtkBooleanMacro(Active, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Processes that plan, of which this is the first; the others are in vtkSharedWork::Serve. None
-   * by default: this one alone.
-   */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
-                             vtkInformationVector* outputs) override;
-
 protected:
   vtkStylisticPlannerFilter();
   ~vtkStylisticPlannerFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
-                         vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
-                          vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                  vtkInformationVector* outputs) override;
   waft::KeptStage& Kept() override;
+  std::vector<waft::PropertyRange> Ranges() const override;
 
 private:
   vtkStylisticPlannerFilter(const vtkStylisticPlannerFilter&) = delete;
@@ -145,9 +116,6 @@ private:
   friend struct waft::RotationRange;
   friend struct waft::TakeOptions;
   int NumberOfPlannedObjects = 0;
-
-  bool Active = true;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

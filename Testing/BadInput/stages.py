@@ -9,7 +9,7 @@ from waft import vtkWaftFilters, vtkWaftSources
 
 LONGEST = 1.5  # s; then a stage is asked to stop
 
-ABSTRACT = ("vtkKeptPolyDataAlgorithm", "vtkPaintedShapeSource", "vtkSlicedPolyDataAlgorithm", "vtkThinShapeSource")
+ABSTRACT = ("vtkChainStageAlgorithm", "vtkKeptPolyDataAlgorithm", "vtkPaintedShapeSource", "vtkSlicedPolyDataAlgorithm", "vtkThinShapeSource")
 
 # So that a test takes no longer than it must.
 SMALL = {
