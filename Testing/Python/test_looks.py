@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 from PIL import Image  # noqa: E402
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkFiltersSources import vtkSphereSource  # noqa: E402
 
 import datafiles  # noqa: E402
 import sample_folder  # noqa: E402
@@ -144,6 +145,41 @@ class MarksTest(unittest.TestCase):
             ring = self.drawn("follow", motion)[marked]
             hue = np.median(ring / ring.max(axis=1, keepdims=True), axis=0)
             self.assertGreater(np.linalg.norm(hue - np.array(color) / max(color)), 0.6, color)
+
+
+def ball(x, facets=24):
+    """A closed obstacle beside what flies."""
+    source = vtkSphereSource()
+    source.SetCenter(x, 0.0, 1.0)
+    source.SetRadius(0.5)
+    source.SetThetaResolution(facets)
+    source.SetPhiResolution(facets)
+    source.Update()
+    return source.GetOutput()
+
+
+class ObstaclesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.motion = load(folder("obstacles"))
+
+    def test_they_are_where_they_are_in_the_first_picture_too(self):
+        moved = dataclasses.replace(self.motion, obstacles=[(0.0, ball(-1.0)), (1.0, ball(1.0))])
+        stage = Stage(moved, SIZE, 1, paths=False, targets=False)
+        first, last, again = (vtk_to_numpy(stage.draw("side", frame).GetPointData().GetScalars()).astype(int) for frame in (0, LAST, 0))
+        self.assertGreater(np.abs(first - last).max(), 60)
+        self.assertEqual(np.abs(first - again).max(), 0)
+
+    def test_a_shadow_lies_by_all_of_what_is_under_its_body(self):
+        scenery = Stage(dataclasses.replace(self.motion, obstacles=[(0.0, ball(0.0, 12))]), SIZE, 1, paths=False)._scenery
+        scenery.move_to(0)
+        place = np.array([-0.015, -0.02, 1.52])  # its ray meets the top, beside the middle of a facet
+        met = scenery.below(place)
+        rim = 0.2 * np.array([(np.cos(turn), np.sin(turn), 0.0) for turn in np.linspace(0.0, 6.0, 9)])
+        spot, normal, _, _ = scenery.levelled(met, place + rim, 0.01)
+        self.assertLess(met[1][2], 0.995)
+        self.assertGreater(normal[2], 0.998, met)
+        self.assertLess(abs((spot - [0.0, 0.0, 1.46]) @ normal), 0.03)
 
 
 class StyleTest(unittest.TestCase):

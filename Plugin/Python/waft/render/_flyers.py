@@ -5,7 +5,7 @@ import math
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -74,6 +74,13 @@ def _load_texture(path):
     return made
 
 
+def _rim(points):
+    """Of a body's points the farthest to eight sides in its plane, and half of the way there."""
+    angles = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)
+    rim = points[np.unique((points[:, :2] @ np.array([np.cos(angles), np.sin(angles)])).argmax(axis=0))]
+    return np.concatenate([rim, 0.5 * (rim + rim.mean(axis=0))])
+
+
 class _Look:
     """Mapper, texture and surface properties that all objects of one shape share."""
 
@@ -88,6 +95,7 @@ class _Look:
         self.mapper.SetInputConnection(normals.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
         self.extent = body.extent
+        self.rim = _rim(vtk_to_numpy(body.surface.GetPoints().GetData()))
         has_coordinates = body.surface.GetPointData().GetTCoords() is not None
         self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
         # VTK multiplies a texture by the surface's colour.
@@ -181,7 +189,7 @@ class Objects:
             actor.SetVisibility(met is not None)
         if met is None:
             return 0.0
-        spot, normal, distance, off = met
+        spot, normal, distance, off = self._scenery.levelled(met, place + look.rim @ turn.T, lift) if met[3] > 0.0 else met
         nearness = distance / (_NEAR * look.extent)
         sharp = self._shadow * math.exp(-nearness)
         soft = 0.52 * self._shadow * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)

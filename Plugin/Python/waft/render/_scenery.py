@@ -178,29 +178,44 @@ class Scenery:
             distance = max((self.ground - point[2]) / self.sun[2], 0.0)
             best = (point + self.sun * distance - layer * up, up, distance, 0.0)
         if self._locator is not None:
-            end = point + self.sun * (best[2] if best else 4.0 * self.size)
-            along, sub, cell = mutable(0.0), mutable(0), mutable(0)
-            hit, local = [0.0] * 3, [0.0] * 3
-            if self._locator.IntersectWithLine(
-                list(point), list(end), 1e-9, along, hit, local, sub, cell
-            ):
-                normal = np.array(self._normals[int(cell)], float)
+            hit, cell = self._hit(point, point + self.sun * (best[2] if best else 4.0 * self.size))
+            if hit is not None:
+                normal = np.array(self._normals[cell], float)
                 # On a steep wall the flat shadow would mostly hang in the air.
                 best = None
                 if normal[2] > 0.5:
-                    distance = float(np.linalg.norm(np.array(hit) - point))
-                    best = (np.array(hit) + layer * normal, normal, distance, 3.0 * layer)
+                    best = (hit + layer * normal, normal, float(np.linalg.norm(hit - point)), 3.0 * layer)
         return best
+
+    def levelled(self, met, points, lift):
+        """What `below` gave of an obstacle, for all points of a body: where the surface under them is not one plane, that of least
+        squares through where the sun's rays meet it. As it was where few rays meet any."""
+        spot, normal, distance, off = met
+        places, is_flat = [], True
+        for point in points - lift * self.sun:
+            hit, cell = self._hit(point, point + (distance + 20.0 * lift) * self.sun)
+            if hit is not None:
+                places.append(hit)
+                is_flat = is_flat and self._normals[cell] @ normal > 0.9999
+        if is_flat or len(places) < 4:
+            return met
+        middle = np.mean(places, axis=0)
+        level = np.linalg.svd(places - middle)[2][2]
+        level *= np.copysign(1.0, level[2])
+        if level[2] <= 0.5:
+            return met
+        return spot + ((middle - spot) @ level + LAYER * self.size) * level, level, distance, off
+
+    def _hit(self, start, end):
+        """(place, cell) where a line meets an obstacle first, or (None, -1)."""
+        along, sub, cell = mutable(0.0), mutable(0), mutable(0)
+        hit, local = [0.0] * 3, [0.0] * 3
+        is_met = self._locator.IntersectWithLine(list(start), list(end), 1e-9, along, hit, local, sub, cell)
+        return (np.array(hit), int(cell)) if is_met else (None, -1)
 
     def hides(self, eye, point):
         """Whether an obstacle stands between two points."""
-        if self._locator is None:
-            return False
-        along, sub, cell = mutable(0.0), mutable(0), mutable(0)
-        hit, local = [0.0] * 3, [0.0] * 3
-        return bool(
-            self._locator.IntersectWithLine(list(eye), list(point), 1e-9, along, hit, local, sub, cell)
-        )
+        return self._locator is not None and self._hit(eye, point)[0] is not None
 
     def show_obstacles(self, opacity):
         """Obstacles one sees through have their edges drawn."""

@@ -119,11 +119,12 @@ class Stage:
         self._time: Optional[float] = None
 
     def draw(self, view: str, frame: int) -> Any:
+        opacity = self._opacity(view)  # which moves the obstacles about
         if frame != self._frame:
             for part in self._surroundings:
                 part.move_to(frame)
             self._frame, self._time = frame, None
-        self._scenery.show_obstacles(self._opacity(view))
+        self._scenery.show_obstacles(opacity)
         self._scenery.show_sky(self._cameras.horizon(view, frame))
         self._marks.show(view != "hero" if self._targets is None else self._targets)
         camera = self._cameras.at(view, frame)
