@@ -170,16 +170,16 @@ class ObstaclesTest(unittest.TestCase):
         self.assertGreater(np.abs(first - last).max(), 60)
         self.assertEqual(np.abs(first - again).max(), 0)
 
-    def test_a_shadow_lies_by_all_of_what_is_under_its_body(self):
-        scenery = Stage(dataclasses.replace(self.motion, obstacles=[(0.0, ball(0.0, 12))]), SIZE, 1, paths=False)._scenery
+    def test_a_shadow_lies_as_what_is_under_its_body(self):
+        scenery = Stage(dataclasses.replace(self.motion, obstacles=[(0.0, ball(0.0))]), SIZE, 1, paths=False)._scenery
         scenery.move_to(0)
-        place = np.array([-0.015, -0.02, 1.52])  # its ray meets the top, beside the middle of a facet
-        met = scenery.below(place)
-        rim = 0.2 * np.array([(np.cos(turn), np.sin(turn), 0.0) for turn in np.linspace(0.0, 6.0, 9)])
-        spot, normal, _, _ = scenery.levelled(met, place + rim, 0.01)
-        self.assertLess(met[1][2], 0.995)
-        self.assertGreater(normal[2], 0.998, met)
-        self.assertLess(abs((spot - [0.0, 0.0, 1.46]) @ normal), 0.03)
+        points = np.array([(0.12 * x, 0.12 * y, 1.6) for x in (-1, 0, 1) for y in (-1, 0, 1)] + [(3.0, 0.0, 1.6)])
+        self.assertFalse(scenery.is_level(np.array([0.0, 0.0, 1.0]), points[:9]))
+        places, ways = scenery.cast(points)
+        away = np.linalg.norm(places[:9] - [0.0, 0.0, 1.0], axis=1)
+        self.assertLess(np.abs(away - 0.5).max(), 0.01)
+        np.testing.assert_allclose(points + ways[:, None] * scenery.sun, places, atol=1e-3)
+        self.assertAlmostEqual(ways[9], ways[:9].mean())
 
 
 class StyleTest(unittest.TestCase):

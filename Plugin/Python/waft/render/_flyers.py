@@ -6,6 +6,8 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -95,7 +97,9 @@ class _Look:
         self.mapper.SetInputConnection(normals.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
         self.extent = body.extent
-        self.rim = _rim(vtk_to_numpy(body.surface.GetPoints().GetData()))
+        self._surface = normals.GetOutput()
+        self.points = vtk_to_numpy(self._surface.GetPoints().GetData()).astype(float)
+        self.rim = _rim(self.points)
         has_coordinates = body.surface.GetPointData().GetTCoords() is not None
         self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
         # VTK multiplies a texture by the surface's colour.
@@ -136,6 +140,17 @@ class _Look:
         actor.ForceTranslucentOn()
         return actor
 
+    def lay(self, actor, points):
+        """Gives a shadow's actor the body's surface with its points elsewhere."""
+        laid = vtkPolyData()
+        laid.ShallowCopy(self._surface)
+        laid.SetPoints(vtkPoints())
+        laid.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(laid)
+        mapper.ScalarVisibilityOff()
+        actor.SetMapper(mapper)
+
     def _actor(self):
         actor = vtkActor()
         actor.SetMapper(self.mapper)
@@ -146,7 +161,7 @@ class _Look:
 
 class Objects:
     """One actor per object and more for its shadow: its outline cast along each of the sun's rays, which
-    pales with height, and a soft spot that takes over."""
+    pales with height, and a soft spot that takes over. On what is not level the outline lies as that does."""
 
     def __init__(self, motion, renderer, scenery, style):
         self._motion = motion
@@ -189,23 +204,34 @@ class Objects:
             actor.SetVisibility(met is not None)
         if met is None:
             return 0.0
-        spot, normal, distance, off = self._scenery.levelled(met, place + look.rim @ turn.T, lift) if met[3] > 0.0 else met
+        spot, normal, distance, off = met
+        drawn_off = max(1.0 - distance / look.extent, 0.0) * off * normal
         nearness = distance / (_NEAR * look.extent)
         sharp = self._shadow * math.exp(-nearness)
         soft = 0.52 * self._shadow * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)
         basis, flattened = self._plane(normal)
         # Where all rays' outlines lie on one another they are as dark as one alone.
         share = 1.0 - (1.0 - sharp) ** (1.0 / len(flattened))
-        for actor, matrix, ray, flatten in zip(actors, matrices, self._scenery.rays, flattened):
+        for actor in actors[:-1]:
             actor.GetProperty().SetOpacity(share)
             actor.SetVisibility(bool(sharp > 0.01))
+        above = -lift * self._scenery.sun + place
+        if off > 0.0 and sharp > 0.01 and not self._scenery.is_level(normal, above + look.rim @ turn.T):
+            places, ways = self._scenery.cast(above + look.points @ turn.T)
+            for actor, matrix, ray in zip(actors, matrices, self._scenery.rays):
+                look.lay(actor, places + np.maximum(ways - lift, 0.0)[:, None] * (ray - self._scenery.sun))
+                _set(matrix, np.eye(3).tolist(), [0.0, 0.0, 0.0])
+            actors[-1].VisibilityOff()
+            return drawn_off
+        for actor, matrix, ray, flatten in zip(actors, matrices, self._scenery.rays, flattened):
+            actor.SetMapper(look.mapper)
             shift = ray * (normal @ spot) / (normal @ ray)
             _set(matrix, (flatten @ turn).tolist(), (flatten @ place + shift).tolist())
         actors[-1].GetProperty().SetOpacity(soft)
         actors[-1].SetVisibility(bool(soft > 0.01))
         width = look.extent * (1.0 + 0.35 * nearness)
         _set(matrices[-1], (width * basis).tolist(), spot.tolist())
-        return max(1.0 - distance / look.extent, 0.0) * off * normal
+        return drawn_off
 
     def _plane(self, normal):
         """Of a plane with that normal: axes whose third is the normal, and what casts onto it along each of the sun's rays s,

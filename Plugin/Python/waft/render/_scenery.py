@@ -187,24 +187,27 @@ class Scenery:
                     best = (hit + layer * normal, normal, float(np.linalg.norm(hit - point)), 3.0 * layer)
         return best
 
-    def levelled(self, met, points, lift):
-        """What `below` gave of an obstacle, for all points of a body: where the surface under them is not one plane, that of least
-        squares through where the sun's rays meet it. As it was where few rays meet any."""
-        spot, normal, distance, off = met
-        places, is_flat = [], True
-        for point in points - lift * self.sun:
-            hit, cell = self._hit(point, point + (distance + 20.0 * lift) * self.sun)
+    def is_level(self, normal, points):
+        """Whether the sun's rays through points meet one plane of the obstacles, with that normal."""
+        for point in points:
+            hit, cell = self._hit(point, point + self.size * self.sun)
+            if hit is None or self._normals[cell] @ normal < 0.9999:
+                return False
+        return True
+
+    def cast(self, points):
+        """(places just above the obstacles where the sun's rays through points [n, 3] meet them, how far that is along the rays [n]);
+        of those that meet none as far as of the others together."""
+        places, ways = np.empty_like(points), np.full(len(points), np.nan)
+        for number, point in enumerate(points):
+            hit, cell = self._hit(point, point + self.size * self.sun)
             if hit is not None:
-                places.append(hit)
-                is_flat = is_flat and self._normals[cell] @ normal > 0.9999
-        if is_flat or len(places) < 4:
-            return met
-        middle = np.mean(places, axis=0)
-        level = np.linalg.svd(places - middle)[2][2]
-        level *= np.copysign(1.0, level[2])
-        if level[2] <= 0.5:
-            return met
-        return spot + ((middle - spot) @ level + LAYER * self.size) * level, level, distance, off
+                places[number] = hit + LAYER * self.size * self._normals[cell]
+                ways[number] = (hit - point) @ self.sun
+        missed = np.isnan(ways)
+        ways[missed] = 0.0 if missed.all() else np.nanmean(ways)
+        places[missed] = points[missed] + ways[missed, None] * self.sun
+        return places, ways
 
     def _hit(self, start, end):
         """(place, cell) where a line meets an obstacle first, or (None, -1)."""
