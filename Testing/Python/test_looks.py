@@ -175,11 +175,13 @@ class ObstaclesTest(unittest.TestCase):
         scenery.move_to(0)
         points = np.array([(0.12 * x, 0.12 * y, 1.6) for x in (-1, 0, 1) for y in (-1, 0, 1)] + [(3.0, 0.0, 1.6)])
         self.assertFalse(scenery.is_level(np.array([0.0, 0.0, 1.0]), points[:9]))
-        places, ways = scenery.cast(points)
+        places, ways = scenery.cast(points, 0.2)
         away = np.linalg.norm(places[:9] - [0.0, 0.0, 1.0], axis=1)
         self.assertLess(np.abs(away - 0.5).max(), 0.01)
         np.testing.assert_allclose(points + ways[:, None] * scenery.sun, places, atol=1e-3)
         self.assertAlmostEqual(ways[9], ways[:9].mean())
+        inner, _ = scenery.cast(np.array([[0.0, 0.0, 1.45]]), 0.2)  # not out below
+        self.assertGreater(inner[0, 2], 1.45)
 
 
 class StyleTest(unittest.TestCase):

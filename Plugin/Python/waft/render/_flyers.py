@@ -5,11 +5,11 @@ import math
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
@@ -21,6 +21,7 @@ from waft.render._scenery import lines, texture
 from waft.texts import warn
 
 _MOST_TEXELS = 4096  # along a side
+_STRETCH = 2.0  # over a triangle's longest side, by which its points' ways to a surface may differ
 _NEAR = 5.0  # extents of a body, of height, in which its shadow's outline pales
 _CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
 # VTK turns a normal towards the eye; what the first light, the sun, throws on the other side comes through.
@@ -97,8 +98,16 @@ class _Look:
         self.mapper.SetInputConnection(normals.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
         self.extent = body.extent
-        self._surface = normals.GetOutput()
+        split = vtkTriangleFilter()
+        split.SetInputConnection(normals.GetOutputPort())
+        split.PassLinesOff()
+        split.PassVertsOff()
+        split.Update()
+        self._surface = split.GetOutput()
         self.points = vtk_to_numpy(self._surface.GetPoints().GetData()).astype(float)
+        self._triangles = vtk_to_numpy(self._surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        sides = self.points[self._triangles] - self.points[np.roll(self._triangles, 1, axis=1)]
+        self._sides = np.linalg.norm(sides, axis=2).max(axis=1)
         self.rim = _rim(self.points)
         has_coordinates = body.surface.GetPointData().GetTCoords() is not None
         self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
@@ -140,10 +149,16 @@ class _Look:
         actor.ForceTranslucentOn()
         return actor
 
-    def lay(self, actor, points):
-        """Gives a shadow's actor the body's surface with its points elsewhere."""
+    def lay(self, actor, points, ways):
+        """Gives a shadow's actor the body's surface with its points elsewhere, so far along the sun's rays; without what would hang
+        between a surface and one far behind it."""
+        far = np.ptp(ways[self._triangles], axis=1) > _STRETCH * self._sides
+        kept = self._triangles[~far]
+        cells = vtkCellArray()
+        cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, 3 * len(kept) + 1, 3), deep=True), numpy_to_vtkIdTypeArray(kept.ravel(), deep=True))
         laid = vtkPolyData()
         laid.ShallowCopy(self._surface)
+        laid.SetPolys(cells)
         laid.SetPoints(vtkPoints())
         laid.GetPoints().SetData(numpy_to_vtk(points, deep=True))
         mapper = vtkPolyDataMapper()
@@ -217,9 +232,9 @@ class Objects:
             actor.SetVisibility(bool(sharp > 0.01))
         above = -lift * self._scenery.sun + place
         if off > 0.0 and sharp > 0.01 and not self._scenery.is_level(normal, above + look.rim @ turn.T):
-            places, ways = self._scenery.cast(above + look.points @ turn.T)
+            places, ways = self._scenery.cast(above + look.points @ turn.T, 0.5 * look.extent)
             for actor, matrix, ray in zip(actors, matrices, self._scenery.rays):
-                look.lay(actor, places + np.maximum(ways - lift, 0.0)[:, None] * (ray - self._scenery.sun))
+                look.lay(actor, ways=ways, points=places + np.maximum(ways - lift, 0.0)[:, None] * (ray - self._scenery.sun))
                 _set(matrix, np.eye(3).tolist(), [0.0, 0.0, 0.0])
             actors[-1].VisibilityOff()
             return drawn_off

@@ -195,12 +195,15 @@ class Scenery:
                 return False
         return True
 
-    def cast(self, points):
+    def cast(self, points, higher):
         """(places just above the obstacles where the sun's rays through points [n, 3] meet them, how far that is along the rays [n]);
-        of those that meet none as far as of the others together."""
+        of points within an obstacle those where their rays go in, when that is at most so much higher; of those that meet none as far as
+        of the others together."""
         places, ways = np.empty_like(points), np.full(len(points), np.nan)
         for number, point in enumerate(points):
             hit, cell = self._hit(point, point + self.size * self.sun)
+            if hit is not None and self._normals[cell] @ self.sun > 0.0:
+                hit, cell = self._hit(point - higher * self.sun, point)
             if hit is not None:
                 places[number] = hit + LAYER * self.size * self._normals[cell]
                 ways[number] = (hit - point) @ self.sun
