@@ -61,6 +61,7 @@ public:
   WaftFlag(OpenX);
   WaftFlag(OpenY);
   WaftFlag(OpenTop);
+  WaftFlag(Loop);
   WaftProperty(int, On);
   WaftOpenProperty(int, ClassId);
   WaftOpenProperty(double, Mass);

@@ -134,6 +134,13 @@ class ByHandTest(unittest.TestCase):
         simple.SaveData(self.file("saved.waft.json"), proxy=scene)
         self.check_copy(self.file("saved.waft.json"))
 
+    def test_a_loop_is_written(self):
+        writer = simple.MotionSceneWriter(Objects=simple.ObjectSource(Layout="Row", NumberOfObjects=4, Loop=1),
+                                          FileName=self.file("round.waft.json"))
+        UpdatePipeline(proxy=writer)
+        with open(self.file("round.waft.json"), encoding="utf-8") as stream:
+            self.assertIs(True, json.load(stream)["time"]["loop"])
+
     def test_fronts_arrows_and_leaving_are_written_as_an_artist_would(self):
         objects = simple.ObjectSource(Layout="Row", NumberOfObjects=4, OpenX=1, OpenTop=1)
         word = simple.ShapeKeyframeSource(Frame=150, FrameFrom=120, NumberOfTargets=4, Width=1.5, Rest=0, Hold=30, Drift=1, Order="Along the Arrow",

@@ -48,12 +48,14 @@ struct ObjectOptions : SceneFrame
   bool OpenX = false;
   bool OpenY = false;
   bool OpenTop = false;
+  bool Loop = false;
 
   SceneInfo Info() const
   {
     SceneInfo info = this->SceneFrame::Info();
     info.AirDensity = this->AirDensity;
     info.Open = { this->OpenX ? 1 : 0, this->OpenY ? 1 : 0, this->OpenTop ? 1 : 0 };
+    info.Loops = this->Loop ? 1 : 0;
     return info;
   }
 
@@ -165,6 +167,10 @@ struct ObjectOptions : SceneFrame
     visit(FlagField("OpenX", "Bodies and air pass both ends of the volume along x."), of.OpenX...);
     visit(FlagField("OpenY", "Bodies and air pass both ends of the volume along y."), of.OpenY...);
     visit(FlagField("OpenTop", "Bodies and air pass the top of the volume."), of.OpenTop...);
+    visit(FlagField("Loop",
+                    "The last frame leads on to the first: who is there at the end goes on to "
+                    "where one of its shape begins."),
+          of.Loop...);
     SceneFrame::Visit(visit, of...);
   }
 
