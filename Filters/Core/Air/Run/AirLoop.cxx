@@ -19,7 +19,7 @@ namespace
 constexpr double BlendTime = 3.0;    // s, of a volume of 4 m
 constexpr double LongestBlend = 0.5; // of the period
 constexpr double BendTime = 1.0;     // s
-constexpr double TurnTime = 0.5;     // s, in which a body turns into another one's start
+constexpr double TurnTime = 0.8;     // s, in which a body turns into another one's start
 constexpr std::size_t MostNamed = 10;
 
 double MeanSquare(const HalfSeries::Field& field)
@@ -73,30 +73,22 @@ std::map<int, int> LoopsTo(int loopRow, const std::vector<Constraint>& rows)
   return to;
 }
 
-// Of two turns a branch of the one, the nearest to the other.
-Vec3 NearestBranch(const Vec3& turn, const Vec3& other)
-{
-  const double angle = turn.norm();
-  const double full = 2.0 * std::acos(-1.0);
-  return angle > 0.0 ? Vec3(turn * (1.0 + full / angle *
-                                            std::round((other.dot(turn) / angle - angle) / full)))
-                     : turn;
-}
-
 // A body's last frames, to the pose, the turning and the slip with which another one begins.
 void TurnInto(const PoseTrack& start, int frames, double step, PoseTrack& poses)
 {
   const auto last = static_cast<int>(poses.Orientations.size()) - 1;
+  const Vec3 turn = LogMap(start.Orientations.front() * poses.Orientations.back().conjugate());
+  const Vec3 faster =
+    start.AngularVelocities.front() - ExpMap(turn) * poses.AngularVelocities.back();
   std::vector<unsigned char> changed(poses.Orientations.size(), 0);
-  Vec3 before = Vec3::Zero();
   for (int k = last; k > std::max(last - frames, 0); --k)
   {
     const auto at = static_cast<std::size_t>(k);
-    const double share = CubicStep(1.0 - static_cast<double>(last - k) / frames);
-    const Quat wanted =
-      ExpMap(-(last - k) * step * start.AngularVelocities.front()) * start.Orientations.front();
-    before = NearestBranch(LogMap(wanted * poses.Orientations[at].conjugate()), before);
-    poses.Orientations[at] = (ExpMap(share * before) * poses.Orientations[at]).normalized();
+    const double t = 1.0 - static_cast<double>(last - k) / frames;
+    const double share = CubicStep(t);
+    const double gained = t * t * (t - 1.0) * frames * step; // 0 at the end, with a slope of 1
+    poses.Orientations[at] =
+      (ExpMap(share * turn + gained * faster) * poses.Orientations[at]).normalized();
     changed[at] = k < last ? 1 : 0;
     if (!poses.Slips.empty() && !start.Slips.empty())
     {
@@ -300,10 +292,11 @@ void TurnIntoStarts(const AirContext& run, AirBodies& bodies)
                                   [last](const Constraint& row)
                                   { return IsRest(row.Kind) && LastFrame(row) >= last; });
     const std::map<int, int> to = LoopsTo(run.Input.LoopRow, rows);
-    if (!bodies.IsKept(o) && !lies && !to.empty())
+    const auto start = to.empty() ? starts.end() : starts.find(to.begin()->second);
+    if (!bodies.IsKept(o) && !lies && start != starts.end())
     {
-      TurnInto(*starts.at(to.begin()->second), static_cast<int>(std::lround(TurnTime * rate)),
-               1.0 / rate, bodies.Poses[o]);
+      TurnInto(*start->second, static_cast<int>(std::lround(TurnTime * rate)), 1.0 / rate,
+               bodies.Poses[o]);
       bodies.Problems[o].SetSlips(bodies.Poses[o].Slips);
     }
   }

@@ -23,8 +23,8 @@ void JoinEnds(int frames, const ParallelFor& parallel, HalfSeries& air);
 /// Of an air that ends nearly as it begins: over its last second, so that it does.
 void BendEnds(double framesPerSecond, const ParallelFor& parallel, HalfSeries& air);
 
-/// Over its last 1.2 s each body's slips and poses go over to those with which the object
-/// begins that it goes on as, turning evenly before its first frame; but of who lies.
+/// Over its last 0.8 s each body's slips, poses and turning go over to those with which the object
+/// begins that it goes on as; but of who lies.
 void TurnIntoStarts(const AirContext& run, AirBodies& bodies);
 
 } // namespace waft

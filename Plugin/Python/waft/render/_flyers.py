@@ -5,11 +5,11 @@ import math
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
@@ -18,6 +18,7 @@ from waft.failures import InputError
 from waft.reading import read_picture
 from waft.render._marks import colors_of
 from waft.render._scenery import lines, texture
+from waft.results._arrays import points_of, triangles_of
 from waft.texts import warn
 
 _MOST_TEXELS = 4096  # along a side
@@ -98,14 +99,9 @@ class _Look:
         self.mapper.SetInputConnection(normals.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
         self.extent = body.extent
-        split = vtkTriangleFilter()
-        split.SetInputConnection(normals.GetOutputPort())
-        split.PassLinesOff()
-        split.PassVertsOff()
-        split.Update()
-        self._surface = split.GetOutput()
-        self.points = vtk_to_numpy(self._surface.GetPoints().GetData()).astype(float)
-        self._triangles = vtk_to_numpy(self._surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        self._surface = normals.GetOutput()
+        self.points = points_of(self._surface, body.name)
+        self._triangles = triangles_of(self._surface, body.name)
         sides = self.points[self._triangles] - self.points[np.roll(self._triangles, 1, axis=1)]
         self._sides = np.linalg.norm(sides, axis=2).max(axis=1)
         self.rim = _rim(self.points)
