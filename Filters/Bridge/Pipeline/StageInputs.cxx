@@ -265,6 +265,9 @@ Result SceneOfInputs(vtkAlgorithm* stage, vtkInformationVector** inputs, int por
 {
   lacking.clear();
   vtkNew<vtkFieldData> fields;
+  // Without another one air, sides and end are as elsewhere.
+  const std::set<std::string> needed = { names::Bounds, names::NumberOfFrames,
+                                         names::FramesPerSecond, names::Seed };
   for (const char* name :
        { names::Bounds, names::NumberOfFrames, names::FramesPerSecond, names::AirDensity,
          names::Open, names::Breeze, names::Loops, names::Seed })
@@ -273,8 +276,7 @@ Result SceneOfInputs(vtkAlgorithm* stage, vtkInformationVector** inputs, int por
     {
       fields->AddArray(array);
     }
-    else if (name != names::AirDensity && name != names::Open && name != names::Breeze &&
-             name != names::Loops) // an air, sides and an end as elsewhere
+    else if (needed.count(name) > 0)
     {
       lacking.insert(name);
     }

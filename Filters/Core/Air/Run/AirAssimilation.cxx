@@ -35,7 +35,7 @@ void ShowPaths(const AirContext& run, const AirBodies& bodies, std::vector<Track
   {
     tracks[o].ObjectId = bodies.Problems[o].Object().ObjectId;
     tracks[o].Positions = bodies.Paths[o];
-    tracks[o].Positions.resize(bodies.Paths[o].size() - (run.Input.LoopRow >= 0 ? 1 : 0));
+    tracks[o].Positions.resize(bodies.Paths[o].size() - (run.Input.Scene.Loops != 0 ? 1 : 0));
   }
 }
 

@@ -120,7 +120,7 @@ WindCorrection CorrectionOf(const AirContext& run, const HalfSeries& plain)
     ScalesOf(plain, WindSpacingIn(volume, run.Options),
              run.Options.WindTimeSpacing * TimeScaleOf(volume.Width()));
   return WindCorrection(volume, run.Input.Scene.Time, scales, run.FromSolids,
-                        run.FromSolids && run.Inside.HasMoving(), run.Input.LoopRow >= 0);
+                        run.FromSolids && run.Inside.HasMoving(), run.Input.Scene.Loops != 0);
 }
 
 double FlowAt(const AirContext& run, const AirState& state)
@@ -300,7 +300,7 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
     state.Sampled.Velocity = steering.TakeWanted(); // in which the objects drift
     return simulated;
   }
-  if (run.Input.LoopRow >= 0)
+  if (run.Input.Scene.Loops != 0)
   {
     BendEnds(run.Input.Scene.Time.FramesPerSecond, run.Parallel, air);
   }

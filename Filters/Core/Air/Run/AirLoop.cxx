@@ -274,7 +274,7 @@ void BendEnds(double framesPerSecond, const ParallelFor& parallel, HalfSeries& a
 
 void TurnIntoStarts(const AirContext& run, AirBodies& bodies)
 {
-  if (run.Input.LoopRow < 0 || bodies.Poses.size() != bodies.Size())
+  if (run.Input.Scene.Loops == 0 || bodies.Poses.size() != bodies.Size())
   {
     return;
   }

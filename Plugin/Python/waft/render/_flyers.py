@@ -145,16 +145,23 @@ class _Look:
         actor.ForceTranslucentOn()
         return actor
 
-    def lay(self, actor, points, ways):
-        """Gives a shadow's actor the body's surface with its points elsewhere, so far along the sun's rays; without what would hang
-        between a surface and one far behind it."""
+    def laid(self, ways):
+        """The body's surface for points that go so far along the sun's rays: without what would hang between a surface and one far
+        behind it."""
         far = np.ptp(ways[self._triangles], axis=1) > _STRETCH * self._sides
         kept = self._triangles[~far]
         cells = vtkCellArray()
         cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, 3 * len(kept) + 1, 3), deep=True), numpy_to_vtkIdTypeArray(kept.ravel(), deep=True))
+        surface = vtkPolyData()
+        surface.ShallowCopy(self._surface)
+        surface.SetPolys(cells)
+        return surface
+
+    @staticmethod
+    def lay(actor, surface, points):
+        """Gives a shadow's actor a surface with its points elsewhere."""
         laid = vtkPolyData()
-        laid.ShallowCopy(self._surface)
-        laid.SetPolys(cells)
+        laid.ShallowCopy(surface)
         laid.SetPoints(vtkPoints())
         laid.GetPoints().SetData(numpy_to_vtk(points, deep=True))
         mapper = vtkPolyDataMapper()
@@ -229,8 +236,9 @@ class Objects:
         above = -lift * self._scenery.sun + place
         if off > 0.0 and sharp > 0.01 and not self._scenery.is_level(normal, above + look.rim @ turn.T):
             places, ways = self._scenery.cast(above + look.points @ turn.T, 0.5 * look.extent)
+            surface = look.laid(ways)
             for actor, matrix, ray in zip(actors, matrices, self._scenery.rays):
-                look.lay(actor, ways=ways, points=places + np.maximum(ways - lift, 0.0)[:, None] * (ray - self._scenery.sun))
+                look.lay(actor, surface, places + np.maximum(ways - lift, 0.0)[:, None] * (ray - self._scenery.sun))
                 _set(matrix, np.eye(3).tolist(), [0.0, 0.0, 0.0])
             actors[-1].VisibilityOff()
             return drawn_off

@@ -57,8 +57,8 @@ class Loop:
         from PIL import Image
 
         first, last = self._pictures[0], self._pictures[-1]
-        fade = [Image.blend(last, first, step / (self._FADE + 1)) for step in range(1, self._FADE + 1)]
-        fade = fade if self._fades and len(self._pictures) > 1 else []
+        steps = range(1, self._FADE + 1) if self._fades and len(self._pictures) > 1 else ()
+        fade = [Image.blend(last, first, step / (self._FADE + 1)) for step in steps]
         durations = [self._duration] * (len(self._pictures) + len(fade))
         if self._fades:
             durations[len(self._pictures) - 1] = self._STAY
