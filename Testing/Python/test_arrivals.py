@@ -35,7 +35,7 @@ def arrays(data, *names):
 
 def lines(run):
     """Of the report by target, their frames as numbers."""
-    names = ("Target", "ObjectId", "Frame", "Arrival", "Settled")
+    names = ("Target", "ObjectId", "Frame", "Arrival", "TouchDown", "Settled")
     return {int(row["Target"]): {name: int(row[name]) for name in names} for row in run.report}
 
 
@@ -83,14 +83,19 @@ class ArrivalsTest(unittest.TestCase):
         self.assertEqual([80] * 8, self.check_marks(self.fly(scene(), "paper")))
 
     def test_rests_lie_from_their_frames_on(self):
-        run = self.fly(scene("random", velocity="rest"))
-        frames = self.check_marks(run)
-        self.assertEqual(sorted(50 + round(30 * k / 7) for k in range(8)), sorted(frames))
-        ids = list(run.object_ids)
-        for row in lines(run).values():
-            self.assertLessEqual(row["Settled"], row["Arrival"] + 30)
-            path = run.positions[ids.index(row["ObjectId"])]
-            np.testing.assert_array_equal(path[row["Settled"]:], np.broadcast_to(path[-1], path[row["Settled"]:].shape))
+        for order in ("random", None):
+            run = self.fly(scene(order, velocity="rest"))
+            frames = self.check_marks(run)
+            if order:
+                self.assertEqual(sorted(50 + round(30 * k / 7) for k in range(8)), sorted(frames))
+            ids = list(run.object_ids)
+            for row in lines(run).values():
+                touch, still = row["TouchDown"], row["Settled"]
+                self.assertTrue(row["Arrival"] - 6 <= touch <= row["Arrival"], row)  # 0.2 s, of a petal
+                self.assertGreaterEqual(touch, 0 if order else 50)
+                self.assertLessEqual(still, touch + 30)
+                path = run.positions[ids.index(row["ObjectId"])]
+                np.testing.assert_array_equal(path[still:], np.broadcast_to(path[-1], path[still:].shape))
 
     def test_the_reader_leaves_open_what_the_air_chooses(self):
         for order, last in ((None, 80), ("outward", 50)):

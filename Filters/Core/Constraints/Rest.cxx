@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constraints/Rest.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
@@ -9,7 +10,9 @@ namespace waft
 namespace
 {
 
-constexpr double SteepestNormal = 0.1; // z of the normal, 84 degrees
+constexpr double SteepestNormal = 0.1;   // z of the normal, 84 degrees
+constexpr double LeastSinkingTime = 0.2; // s
+constexpr double SinkingRatio = 0.5;     // of the settling speed, in the mean
 
 /// Samples of the centre against the obstacle it lands on.
 bool StaysAbove(const ObstacleSet& obstacles, int obstacleId, double distance, const Vec3& a,
@@ -79,6 +82,13 @@ Vec3 ValueAt(const Constraint& row, int frame, const ObstacleSet& obstacles)
 CarriedPlace StartPlace(const MotionObject& object, const ObstacleSet& obstacles)
 {
   return { object.Position, 0.0, object.On >= 0 ? obstacles.Find(object.On) : nullptr };
+}
+
+double SinkingFrames(const MotionObject& object, double framesPerSecond)
+{
+  const double time =
+    std::max(LeastSinkingTime, object.ClearanceRadius / (SinkingRatio * object.SettlingSpeed));
+  return std::min(time, 1.0) * framesPerSecond;
 }
 
 std::vector<LandingWindow> LandingWindows(const MotionObject& object,

@@ -54,6 +54,11 @@ struct LandingWindow
   int Target = 0;
 };
 
+/// In which a body sinks from its clearance radius to lie: at half its settling speed, 0.2 s at
+/// least, a second at most. What comes in a window of frames keeps clear of its surface till then,
+/// in the air, so that it touches about the frame that it was given.
+double SinkingFrames(const MotionObject& object, double framesPerSecond);
+
 /// The windows of one object in order of Frame. rows: constraints of the scene; those of other
 /// objects, of other kinds, and rests with nothing below are passed over.
 std::vector<LandingWindow> LandingWindows(const MotionObject& object,

@@ -42,8 +42,10 @@ PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const R
   }
   PlannedRest rest{ windows.front() };
   const bool isAsked = row.Target != OfNoRow;
-  const int second = static_cast<int>(std::lround(input.Scene.Time.FramesPerSecond));
-  const int still = row.FrameFrom >= 0 ? row.Frame + second : row.Frame; // it came in a window
+  // What came in a window lies still a second after it may touch.
+  const double second = input.Scene.Time.FramesPerSecond;
+  const int still =
+    row.Frame + (row.FrameFrom >= 0 ? static_cast<int>(second - SinkingFrames(object, second)) : 0);
   rest.Deadline = isAsked ? std::max(still, rest.Frame) : rest.Until;
   rest.Side = row.Side;
   return rest;

@@ -185,6 +185,17 @@ TEST(Rest, GoesAlongWithWhatItLiesOn)
   expectNear(StartPlace(leaf, set).At(60), Vec3(4, 0, 2));
 }
 
+TEST(Rest, SinksFromItsClearanceAtHalfItsSettlingSpeed)
+{
+  MotionObject leaf = Leaf();
+  leaf.SettlingSpeed = 0.5;
+  for (const auto& [radius, frames] : { std::pair(0.02, 6.0), { 0.1, 12.0 }, { 0.4, 30.0 } })
+  {
+    leaf.ClearanceRadius = radius;
+    EXPECT_NEAR(SinkingFrames(leaf, 30.0), frames, 1e-12);
+  }
+}
+
 TEST(Rest, WhatHangsAtAnObstacleMayLeaveIt)
 {
   const ObstacleSet set = Scene();

@@ -30,6 +30,23 @@ SpacetimeSetup MakeProblem(const SpacetimeInput& input)
   return setup;
 }
 
+/// What the optimiser found for the only object.
+StateVector StateOf(const SpacetimeSetup& setup, const std::vector<Vec3>& found)
+{
+  const SpacetimeModel& model = setup.Model;
+  StateVector state(found.size() * model.FrameSize(), 0.0f);
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    const Vec3 local = setup.FromWorld(found[k]);
+    for (int c = 0; c < 3; ++c)
+    {
+      state[k * model.FrameSize() + c * model.Stride() + model.NumberOfGas] =
+        static_cast<float>(local[c]);
+    }
+  }
+  return state;
+}
+
 } // namespace
 
 TEST(TimeLevels, HoldEveryFrameOfARequirement)
@@ -160,17 +177,7 @@ TEST(ExportPositions, MovesAMotionOutOfTheWayInsteadOfGoingBackToThePlan)
   input.Objects[0].Position = found.front();
   input.Constraints[0].Value = found.back();
   const SpacetimeSetup setup = MakeProblem(input);
-  const SpacetimeModel& model = setup.Model;
-  StateVector state(found.size() * model.FrameSize(), 0.0f);
-  for (std::size_t k = 0; k < found.size(); ++k)
-  {
-    const Vec3 local = setup.FromWorld(found[k]);
-    for (int c = 0; c < 3; ++c)
-    {
-      state[k * model.FrameSize() + c * model.Stride() + model.NumberOfGas] =
-        static_cast<float>(local[c]);
-    }
-  }
+  StateVector state = StateOf(setup, found);
   std::vector<std::string> warnings;
   const std::vector<Vec3> x = ExportPositions(input, setup, state, warnings)[0];
   EXPECT_TRUE(warnings.empty());
@@ -185,6 +192,39 @@ TEST(ExportPositions, MovesAMotionOutOfTheWayInsteadOfGoingBackToThePlan)
       const Vec3 was = found[k + 1] - 2.0 * found[k] + found[k - 1];
       EXPECT_LT(900.0 * (x[k + 1] - 2.0 * x[k] + x[k - 1] - was).norm(), 2.0) << k; // m/s^2
     }
+  }
+}
+
+TEST(ExportPositions, LetsWhatHangsAtAnObstacleLeaveIt)
+{
+  SceneOptions scene;
+  scene.NumberOfObjects = 1;
+  scene.NumberOfFrames = 90;
+  SpacetimeInput input = MakeScene(scene);
+  const double radius = input.Objects[0].ClearanceRadius;
+  ObstacleMesh branch;
+  branch.ObstacleId = 1;
+  branch.Mesh = MakeBox({ Vec3(-1.0, -0.1, 2.0), Vec3(1.0, 0.0, 2.1) });
+  input.Obstacles.push_back(branch);
+  input.Objects[0].Release = 20;
+  std::vector<Vec3> found;
+  for (int k = 0; k < scene.NumberOfFrames; ++k)
+  {
+    found.emplace_back(0.0, 0.4 * radius + 0.1 * radius * std::max(0, k - 20), 2.05);
+  }
+  input.Tracks[0].Positions = found;
+  input.Objects[0].Position = found.front();
+  input.Constraints[0].Value = found.back();
+  const SpacetimeSetup setup = MakeProblem(input);
+  EXPECT_TRUE(setup.Model.Flag(30, 0) & LandsOnObstacle);
+  EXPECT_FALSE(setup.Model.Flag(60, 0) & LandsOnObstacle); // a second after
+  StateVector state = StateOf(setup, found);
+  std::vector<std::string> warnings;
+  const std::vector<Vec3> x = ExportPositions(input, setup, state, warnings)[0];
+  EXPECT_TRUE(warnings.empty());
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    EXPECT_LT((x[k] - found[k]).norm(), 1e-5) << k;
   }
 }
 

@@ -29,11 +29,13 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
   Landings(LandingWindows(object, this->Wanted, scene.Obstacles, scene.Scene.Time.FramesPerSecond)),
   Space(scene.Scene, 0)
 {
-  for (const LandingWindow& landing : this->Landings)
+  for (std::size_t l = 0; l < this->Landings.size(); ++l)
   {
+    LandingWindow& landing = this->Landings[l];
     this->Latest.push_back(landing.Frame);
     this->Leaving.push_back(landing.Until);
     this->Timed.push_back(this->RestOf(landing).FrameFrom >= 0 ? 1 : 0);
+    landing.First = this->NearFrom(l);
   }
   if (object.Hangs())
   {

@@ -51,6 +51,8 @@ public:
   int EarliestTouchDown(std::size_t landing, int most) const;
   /// It has a window of its own, and touches down just at its row's Frame.
   bool IsTimed(std::size_t landing) const { return this->Timed[landing] != 0; }
+  /// First of the landing's window: one that has a window of its own comes near as late as it may.
+  double NearFrom(std::size_t landing) const;
 
   /// The frame until which a landing lies there, of its row's own last one and up to `most` frames
   /// after.

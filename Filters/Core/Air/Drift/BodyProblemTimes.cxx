@@ -61,12 +61,19 @@ int BodyProblem::EarliestTouchDown(std::size_t landing, int most) const
   return std::clamp(earliest, 0, this->Latest[landing]);
 }
 
+double BodyProblem::NearFrom(std::size_t landing) const
+{
+  const double second = this->World.Scene.Time.FramesPerSecond;
+  return this->Landings[landing].Frame -
+         (this->IsTimed(landing) ? SinkingFrames(this->Body, second) : second);
+}
+
 void BodyProblem::SetTouchDown(std::size_t landing, int frame)
 {
   LandingWindow& window = this->Landings[landing];
   this->RestOf(window).TouchDown = frame;
   window.Frame = frame;
-  window.First = frame - this->World.Scene.Time.FramesPerSecond;
+  window.First = this->NearFrom(landing);
   this->FixFrames();
 }
 

@@ -32,13 +32,12 @@ struct Choice
   Way Best;
 };
 
-// A body that lands tips over before it lies: its edge is down sooner than the window begins where
-// its centre lies that early.
-FrameWindow TriedOf(const AirContext& run, const Constraint& row)
+// What comes to lie touches in its window.
+FrameWindow TriedOf(const AirContext& run, const MotionObject& object, const Constraint& row)
 {
-  const int settling =
-    IsRest(row.Kind) ? std::min(run.Search.Settling, (row.Frame - row.FrameFrom) / 2) : 0;
-  return { row.FrameFrom + settling, row.Frame };
+  const double sinking = SinkingFrames(object, run.Input.Scene.Time.FramesPerSecond);
+  const int latest = IsRest(row.Kind) ? static_cast<int>(std::ceil(sinking)) : 0;
+  return { row.FrameFrom + std::min(latest, (row.Frame - row.FrameFrom) / 2), row.Frame };
 }
 
 bool IsBeside(const std::vector<Constraint>& others, int frame)
@@ -133,7 +132,7 @@ private:
       now = IsOfTarget(row, own) ? own.Frame : now;
     }
     int best = now;
-    const FrameWindow tried = TriedOf(this->Run, row);
+    const FrameWindow tried = TriedOf(this->Run, this->Object, row);
     std::set<int> done;
     const auto attempt = [&](int frame)
     {
@@ -161,7 +160,7 @@ private:
     const int most = std::max(FewestTried, 1 + length / this->Run.Search.Step);
     double step = static_cast<double>(length) / (most - 1);
     attempt(now);
-    for (const int frame : FramesOf(this->Run, row, others, most))
+    for (const int frame : FramesOf(this->Run, this->Object, row, others, most))
     {
       attempt(frame);
     }
@@ -204,7 +203,7 @@ void SetArrivals(const Constraint& row, int frame, const ObstacleSet& obstacles,
   }
 }
 
-std::vector<int> FramesOf(const AirContext& run, const Constraint& row,
+std::vector<int> FramesOf(const AirContext& run, const MotionObject& object, const Constraint& row,
                           const std::vector<Constraint>& others, int most)
 {
   if (!row.IsOpenWindow)
@@ -214,8 +213,8 @@ std::vector<int> FramesOf(const AirContext& run, const Constraint& row,
   std::vector<int> frames;
   for (int k = 0; k < most; ++k)
   {
-    const int frame =
-      FrameAt(TriedOf(run, row), TimeSpread::Even, static_cast<double>(k) / std::max(1, most - 1));
+    const int frame = FrameAt(TriedOf(run, object, row), TimeSpread::Even,
+                              static_cast<double>(k) / std::max(1, most - 1));
     if (!IsBeside(others, frame) && (frames.empty() || frames.back() != frame))
     {
       frames.push_back(frame);

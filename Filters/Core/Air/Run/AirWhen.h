@@ -20,10 +20,9 @@ std::vector<Constraint> OthersOf(const Constraint& row, const std::vector<Constr
 void SetArrivals(const Constraint& row, int frame, const ObstacleSet& obstacles,
                  std::vector<Constraint>& rows);
 
-/// Frames of a row's window that are tried for the object of `others`, its rows: `most` of them,
-/// spread evenly, less those at which another row asks where it is; of a row without an open window
-/// its own frame.
-std::vector<int> FramesOf(const AirContext& run, const Constraint& row,
+/// Frames of a row's window that are tried for an object: `most` of them, spread evenly, less those
+/// at which another of its rows asks where it is; of a row without an open window its own frame.
+std::vector<int> FramesOf(const AirContext& run, const MotionObject& object, const Constraint& row,
                           const std::vector<Constraint>& others, int most);
 
 /// Rows whose windows are open take the frame, each object's one after another in time, at which

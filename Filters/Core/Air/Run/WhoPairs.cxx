@@ -193,7 +193,8 @@ void Judge(const Choosing& choosing, const ChosenTargets& group, std::vector<Who
                    if (!rows.empty() && track < run.Plans.size())
                    {
                      for (const int frame :
-                          FramesOf(run, rows.back(), OthersOf(rows.back(), rows), FramesOfPairs))
+                          FramesOf(run, run.Input.Objects[pair.Object], rows.back(),
+                                   OthersOf(rows.back(), rows), FramesOfPairs))
                      {
                        JudgeAt(choosing, group, frame, rows, pair);
                      }

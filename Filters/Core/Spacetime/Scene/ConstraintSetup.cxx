@@ -66,27 +66,37 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
 {
   SpacetimeModel& model = setup.Model;
   const int frames = model.NumberOfFrames;
+  const double rate = input.Scene.Time.FramesPerSecond;
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
   {
-    setup.Landings.push_back(
-      LandingWindows(setup.Objects[o], binding, setup.Obstacles, input.Scene.Time.FramesPerSecond));
-    for (const LandingWindow& window : setup.Landings.back())
+    const auto flags = [&](int frame) -> std::uint8_t&
+    { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
+    const auto coherence = [&](int frame) -> float& {
+      return model.CoherenceFractions[static_cast<std::size_t>(frame) * model.NumberOfObjects + o];
+    };
+    const auto comeNear = [&](const LandingWindow& window)
     {
       const bool floor =
         std::find(grounds.begin(), grounds.end(), window.ObstacleId) != grounds.end();
-      const auto flags = [&](int frame) -> std::uint8_t&
-      { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
-      const auto coherence = [&](int frame) -> float& {
-        return model
-          .CoherenceFractions[static_cast<std::size_t>(frame) * model.NumberOfObjects + o];
-      };
       // The way to and from a frame near the surface lies within the window, too.
       for (int frame = std::max(0, static_cast<int>(std::ceil(window.First)) + 1);
            frame <= std::min(frames - 1, static_cast<int>(std::floor(window.Last)) - 1); ++frame)
       {
         flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
+        flags(frame) |= frame > window.Until ? LiftsOff : 0;
       }
-      const double rate = input.Scene.Time.FramesPerSecond;
+    };
+    setup.Landings.push_back(LandingWindows(setup.Objects[o], binding, setup.Obstacles, rate));
+    setup.Exempts.push_back(setup.Landings.back());
+    LandingWindow hanging;
+    if (HangingWindow(setup.Objects[o], setup.Obstacles, rate, hanging))
+    {
+      comeNear(hanging);
+      setup.Exempts.back().push_back(hanging);
+    }
+    for (const LandingWindow& window : setup.Landings.back())
+    {
+      comeNear(window);
       for (int frame = std::max(1, window.Frame - static_cast<int>(rate)); frame < window.Frame;
            ++frame)
       {
@@ -112,7 +122,6 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       for (int frame = window.Until + 1; frame < std::min(frames, window.Until + second); ++frame)
       {
         const double after = (frame - window.Until) / rate;
-        flags(frame) |= LiftsOff;
         coherence(frame) = std::min(coherence(frame), Faded(after));
         model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
           static_cast<float>(0.5 * StartReach * after * after / setup.Spacing);

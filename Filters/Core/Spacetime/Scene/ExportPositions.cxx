@@ -106,7 +106,7 @@ public:
   bool Clear(std::vector<Vec3>& x) const
   {
     const PathClearance clearance{ this->Setup.Obstacles, this->Input.Scene.Bounds,
-                                   this->Setup.Landings[this->Index],
+                                   this->Setup.Exempts[this->Index],
                                    this->Setup.Objects[this->Index], this->Slack };
     const PathFreedom freedom{ this->Weights, this->Setup.FrameStep,
                                [this](std::vector<Vec3>& path) { this->MakeExact(path); } };

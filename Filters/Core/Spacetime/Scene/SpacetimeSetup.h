@@ -26,6 +26,7 @@ struct SpacetimeSetup : SpacetimeUnits
   ObstacleSet Obstacles;
   std::vector<MotionObject> Objects;                // in the order of the tracks
   std::vector<std::vector<LandingWindow>> Landings; // one list an object
+  std::vector<std::vector<LandingWindow>> Exempts;  // likewise, and that in which it hangs
   std::vector<Vec3> ExactPositions; // [frame * objects + object], m, where FixedPosition
   std::vector<ReportRow> Report;    // as judged
 };
