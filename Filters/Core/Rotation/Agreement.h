@@ -30,7 +30,13 @@ std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
                                const FlightPath& path, const PoseTrack& poses,
                                const AgreementSample& sample = AgreementSample());
 
-/// Median and 90th percentile of that, linear between ranks [rad]; NaN of none.
+/// The slips [m/s] of a body along its path in the air there, by the poses and rates of turning
+/// that it came with: from its first one on wherever nothing but the air bears it. Elsewhere they
+/// are those that it came with, which the others go over to within half a second.
+std::vector<Vec3> SlipsAlong(const AttitudePlan& plan, const FlightBody& body,
+                             const FlightPath& path);
+
+/// Median and 90th percentile of what TurnedAway tells, linear between ranks [rad]; NaN of none.
 std::array<double, 2> AgreementOf(std::vector<double> away);
 
 } // namespace waft

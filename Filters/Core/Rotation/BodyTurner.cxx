@@ -137,8 +137,8 @@ template <class Job, class Input, class Options>
 void MoveJob(StateArchive& stream, Job& job, Input& input, Options& options)
 {
   stream.Values(input.Scene, input.Objects, input.Tracks, input.Shapes, input.Constraints,
-                input.Glides, input.TurnsFrom, input.TurnsUntil, job.Obstacles, job.Draws, job.Air,
-                job.Gradients);
+                input.Glides, input.SlipsAlone, input.TurnsFrom, input.TurnsUntil, job.Obstacles,
+                job.Draws, job.Air, job.Gradients);
   RotationOptions::Visit(stream, options);
 }
 
@@ -300,6 +300,19 @@ BodyTurn BodyTurner::Turn(std::size_t i) const
                 FlightPath& path, double draw)
             {
               turn.Factors = glider.FactorsAt(draw);
+              if (this->Given.SlipsAlone && draw > 0.0)
+              {
+                const Track& track = *plan.Path;
+                SetLimit(this->Limit, path);
+                PoseTrack& poses = turn.Outcome.Poses;
+                poses.ObjectId = track.ObjectId;
+                poses.Orientations = track.Orientations;
+                poses.AngularVelocities = track.AngularVelocities;
+                poses.Slips = SlipsAlong(plan, body, path);
+                turn.Outcome.Slowed.assign(poses.Slips.size(), 0);
+                turn.Outcome.Swept.assign(poses.Slips.size(), 0.0);
+                return;
+              }
               turn.Outcome = TurnObjectWithin(this->Limit, plan, body, path);
               const bool turnsAnew = plan.TurnsFrom < static_cast<int>(plan.Path->Positions.size());
               if (HasFlown(this->Given.Tracks[i]) && !turnsAnew && draw > 0.0)

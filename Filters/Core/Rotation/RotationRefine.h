@@ -82,6 +82,8 @@ struct RotationInput
   /// Bodies are drawn by their weight alone, whatever their paths, and their Slips are given: where
   /// they glide is for who moves them. Tracks with Slips keep the poses that are theirs.
   bool Glides = false;
+  /// Tracks with Slips keep their poses and slip anew by them, as SlipsAlong; with Glides.
+  bool SlipsAlone = false;
   /// Frames after the first of which, up to the other, tracks with Slips turn anew all the same.
   int TurnsFrom = std::numeric_limits<int>::max();
   int TurnsUntil = std::numeric_limits<int>::max();

@@ -225,6 +225,14 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
         return turned;
       }
     }
+    if (!goesOn && k == (isDrawn ? rounds - 1 : 0))
+    {
+      const Result slipped = SlipAnew(run, state.Sampled.Velocity, state.Bodies);
+      if (!slipped || slipped.IsStopped())
+      {
+        return slipped;
+      }
+    }
     const double done = static_cast<double>(k) / std::max(1, rounds - 1);
     const double error =
       std::max(flow * firstError * std::pow(LastError / firstError, done), leastError);

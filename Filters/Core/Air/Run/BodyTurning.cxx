@@ -56,7 +56,6 @@ void SetUp(const AirContext& run, const HalfSeries& series, bool flown, AirBodie
   input.Scene = run.Input.Scene;
   input.Shapes = run.Input.Shapes;
   input.Obstacles = &run.Obstacles;
-  input.Glides = !flown;
   input.Prepared = &bodies.Shapes;
   input.Ranks = run.Input.Ranks;
   for (const std::size_t o : turning.Which)
@@ -97,11 +96,18 @@ RotationOptions OptionsOf(const AirContext& run)
   return options;
 }
 
+enum class How
+{
+  Anew,
+  AsFlown,   // with the poses that they have
+  SlipsAlone // likewise, and how they slip by these
+};
+
 /// Turns those that may turn anew, so many at a time: what is needed meanwhile of each is three
 /// times what is kept of it. take(o, i, turned): of the body o, the i-th of those turned.
 template <class Take>
-Result Turn(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
-            bool flown, AirBodies& bodies, const Take& take)
+Result Turn(const AirContext& run, const HalfSeries& air, const std::vector<char>& which, How how,
+            AirBodies& bodies, const Take& take)
 {
   PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
   for (std::size_t next = 0; next < bodies.Size();)
@@ -112,7 +118,9 @@ Result Turn(const AirContext& run, const HalfSeries& air, const std::vector<char
     {
       break;
     }
-    SetUp(run, air, flown, bodies, turning);
+    SetUp(run, air, how != How::Anew, bodies, turning);
+    turning.Input.SlipsAlone = how == How::SlipsAlone;
+    turning.Input.Glides = how != How::AsFlown;
     RotationOutput turned;
     const Result result =
       RunRotationRefine(turning.Input, OptionsOf(run), run.Parallel, monitor, turned);
@@ -145,7 +153,7 @@ Result FindAway(const AirContext& run, const HalfSeries& air, const std::vector<
       away[o] = std::move(turned.Away[i]);
     }
   };
-  return Turn(run, air, which, true, bodies, take);
+  return Turn(run, air, which, How::AsFlown, bodies, take);
 }
 
 // How far a body is from what is wanted of its agreement, in the median or in the 90th percentile:
@@ -230,7 +238,7 @@ Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations
   std::vector<PoseTrack> poses(bodies.Size());
   const auto take = [&poses](std::size_t o, std::size_t i, RotationOutput& turned)
   { poses[o] = std::move(turned.Poses[i]); };
-  const Result result = Turn(run, air, which, false, bodies, take);
+  const Result result = Turn(run, air, which, How::Anew, bodies, take);
   if (!result || result.IsStopped())
   {
     return result;
@@ -302,6 +310,28 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vec
 }
 
 } // namespace
+
+Result SlipAnew(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
+{
+  if (bodies.Poses.empty())
+  {
+    return Result::Ok();
+  }
+  const double glide = run.Options.Glide;
+  const auto take = [&](std::size_t o, std::size_t i, RotationOutput& turned)
+  {
+    std::vector<Vec3>& slips = bodies.Poses[o].Slips;
+    const std::vector<Vec3>& lawful = turned.Poses[i].Slips;
+    for (std::size_t k = 0; k < std::min(slips.size(), lawful.size()); ++k)
+    {
+      slips[k] += glide * (lawful[k] - slips[k]);
+    }
+    bodies.Problems[o].SetSlips(slips);
+  };
+  const Result result = Turn(run, air, Everybody(bodies), How::SlipsAlone, bodies, take);
+  TurnIntoStarts(run, bodies);
+  return result;
+}
 
 Result TurnDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
 {

@@ -24,6 +24,9 @@ inline std::vector<char> Everybody(const AirBodies& bodies)
 Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations,
                     const std::vector<char>& which, AirBodies& bodies);
 
+/// Those that glide keep their poses, and slip by these as the air is now along their paths.
+Result SlipAnew(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
+
 /// Turns bodies anew by the air as it is, step by step: what of their paths has been flown in the
 /// poses of a step stays, and they drift on from there, so that the air in which they turn is that
 /// through which they go. So turns those whose poses are not what the air as it has become makes of
