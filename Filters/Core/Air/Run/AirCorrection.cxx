@@ -30,8 +30,10 @@ constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0
 constexpr double FirstError = 1.0;
 constexpr double FurtherError = 0.05;
 constexpr double LastError = 0.01;
-// Chi2 of a wind that such an air may well have: what asks for more stays control.
+// Chi2 of a wind that such an air may well have, and of one after which none is simulated any more:
+// what asks for more stays control.
 constexpr double Likely = 0.12;
+constexpr double LikelyInTheEnd = 0.19;
 constexpr int FurtherRounds = 3;      // of fits to an air that has been simulated again, at most
 constexpr double Enough = 0.02;       // of the flow, that is left as control: then no further ones
 constexpr int MostIterations = 60;    // of conjugate gradients
@@ -210,6 +212,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
   const double begin = ProgressOf(run.Options.Rounds, state.Rounds, 0.0);
   const double step =
     (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / std::max(1, rounds);
+  const double likely = goesOn ? Likely : LikelyInTheEnd;
   double leastError = 0.0;
   for (int k = 0; k < rounds; ++k)
   {
@@ -254,9 +257,9 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
     }
     output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &correction));
     output.Rounds.back().Candidate = FitText(correction.Fitted());
-    if (correction.Fitted().ChiSquared > Likely)
+    if (correction.Fitted().ChiSquared > likely)
     {
-      leastError = error * correction.Fitted().ChiSquared / Likely;
+      leastError = error * correction.Fitted().ChiSquared / likely;
     }
     if (!isDrawn && IsEnough(output))
     {
