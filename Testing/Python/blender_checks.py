@@ -984,6 +984,9 @@ class Checked(unittest.TestCase):
                  "kept up: give it 3.6 s or more", "Mark", "too fast: Other has 0.4 s for 4 m: give it 3.6 s or more, which is 86 frames"),
                 ("no time to fall: row 0 target 0: object 0 falls 3 m in 1 s; it settles at 0.8 m/s: give it 3 s or more", "Mark",
                  "no time to fall: Leaf falls 3 m in 1 s: give it 3 s or more, which is 72 frames"),
+                ("too heavy: row 0 target 0: object 1 sinks at 6 m/s, and to drift from frame 25 the air has to rise at 6 m/s under it; the "
+                 "fastest of the database is 2.5 m/s, and half of that is kept up: expected a smaller settling speed", "Mark",
+                 "too heavy: Other sinks at 6 m/s, the air would have to rise at 6 m/s under it: give it a smaller settling speed"),
                 ("too narrow: row 0 target 0 lies 0.01 m from obstacle 0, the body's clearance radius is 0.05 m", "Mark",
                  "too narrow: lies 0.01 m from Post, a flyer turns in a ball of 0.05 m about it"),
                 ("too fast: row 0 target 0: object 1 has 0.4 s for 4 m to its mark at frame 25, 10 m/s; the fastest of the database is 2.2 "

@@ -125,6 +125,29 @@ void FindFalls(const Scene& scene, const ObstacleSet& obstacles, const std::vect
   }
 }
 
+/// Bodies that sink faster than air bears them to their marks, or in a form that drifts.
+void FindSinking(const std::vector<Leg>& legs, double topSpeed, std::vector<Finding>& findings)
+{
+  for (const Leg& leg : legs)
+  {
+    const double height = leg.From.z() - leg.To.Value.z() + leg.Room + leg.To.Radius;
+    const double asked = leg.Object.SettlingSpeed - height / leg.Seconds;
+    const double adrift = leg.To.Drifts != 0 ? leg.Object.SettlingSpeed : 0.0;
+    if (!IsRest(leg.To.Kind) && std::max(asked, adrift) > KeptUp * topSpeed)
+    {
+      findings.push_back(AboutRow(
+        "too heavy", leg.To,
+        Format(
+          ": object %d sinks at %.2g m/s, and %s frame %d the air has to rise at %.2g m/s under "
+          "it; the fastest of the database is %.2g m/s, and half of that is kept up: expected a "
+          "smaller settling speed",
+          leg.Object.ObjectId, leg.Object.SettlingSpeed,
+          adrift > asked ? "to drift from" : "to be at its mark at", leg.To.Frame,
+          std::max(asked, adrift), topSpeed)));
+    }
+  }
+}
+
 /// Rows that cannot be met, and objects that cannot be where they begin.
 void FindImpossible(const Scene& scene, const PlanOutput& plan, std::vector<Finding>& findings)
 {
@@ -288,6 +311,7 @@ Result JudgeScene(const Scene& scene, const MotionDatabase& database, const Para
   const std::vector<Leg> legs = LegsOf(scene, rows);
   FindHaste(scene, legs, plan.TopSpeed, judged.Findings);
   FindFalls(scene, obstacles, legs, plan.TopSpeed, judged.Findings);
+  FindSinking(legs, plan.TopSpeed, judged.Findings);
   FindCrowding(scene, obstacles, plan.Constraints, judged.Findings);
   if (const Result room = CheckRoom(VolumeAboveGround(scene), scene.Info.Time.NumberOfFrames,
                                     scene.Objects.size(), SpacetimeOptions());

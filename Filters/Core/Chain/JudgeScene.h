@@ -44,9 +44,9 @@ struct SceneJudgement
 };
 
 /// What the planner will say of a scene's rows, and what it asks of bodies and air: legs longer
-/// than air carries a body in their time, rests with no time to fall, gaps that no body passes,
-/// marks nearer to obstacles or to one another than bodies are wide, volumes too full, scenes too
-/// large for the optimiser. Fails where no quality could fly it.
+/// than air carries a body in their time, rests with no time to fall, bodies that no air bears,
+/// gaps that no body passes, marks nearer to obstacles or to one another than bodies are wide,
+/// volumes too full, scenes too large for the optimiser. Fails where no quality could fly it.
 Result JudgeScene(const Scene& scene, const MotionDatabase& database, const ParallelFor& parallel,
                   SceneJudgement& judgement);
 

@@ -11,6 +11,8 @@ _SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
      "too fast: {object} has {1} s for {2} m: give it {seconds} s or more, which is {frames} frames"),
     (r"no time to fall: row \d+ target \d+: (?P<object>object \d+) falls (\S+) m in (\S+) s[ ;].*: give it (?P<seconds>\S+) s .*or more",
      "no time to fall: {object} falls {1} m in {2} s: give it {seconds} s or more, which is {frames} frames"),
+    (r"too heavy: row \d+ target \d+: (?P<object>object \d+) sinks at (\S+) m/s, and .* the air has to rise at (\S+) m/s under it; .*",
+     "too heavy: {object} sinks at {1} m/s, the air would have to rise at {2} m/s under it: give it a smaller settling speed"),
     (r"too narrow: row \d+ target \d+ lies (\S+) m from (obstacle \d+), the body's clearance radius is ([^\s:]+) m(?:: .*)?",
      "too narrow: lies {0} m from {1}, a flyer turns in a ball of {2} m about it"),
     (r"too many: the balls of clearance of (\d+) bodies take (\d+) % of the volume, (\d+) % is what flies well",

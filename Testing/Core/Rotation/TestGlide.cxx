@@ -163,6 +163,70 @@ TEST(Glide, PosesThatCameWithAPathStayAndAgree)
   EXPECT_TRUE(first.Away[0].empty());
 }
 
+TEST(Glide, SlipsAreFoundAnewByThePoses)
+{
+  RotationInput input = InStillAir("maple");
+  const RotationOutput flown = Refine(input, Unlimited(), 2);
+  input.SlipsAlone = true;
+  double slips = 0.0;
+  for (std::size_t i = 0; i < input.Tracks.size(); ++i)
+  {
+    Track& track = input.Tracks[i];
+    track.Orientations = flown.Poses[i].Orientations;
+    track.AngularVelocities = flown.Poses[i].AngularVelocities;
+    track.Slips = flown.Poses[i].Slips;
+    for (std::size_t k = 1; k < track.Slips.size(); ++k) // as of another air
+    {
+      slips += track.Slips[k].squaredNorm();
+      track.Slips[k] *= 0.5;
+    }
+  }
+  const RotationOutput found = Refine(input, Unlimited(), 2);
+  double off = 0.0;
+  for (std::size_t i = 0; i < input.Tracks.size(); ++i)
+  {
+    const PoseTrack& poses = found.Poses[i];
+    EXPECT_EQ(poses.AngularVelocities, flown.Poses[i].AngularVelocities);
+    for (std::size_t k = 0; k < poses.Slips.size(); ++k)
+    {
+      EXPECT_EQ(poses.Orientations[k].coeffs(), flown.Poses[i].Orientations[k].coeffs());
+      off += (poses.Slips[k] - flown.Poses[i].Slips[k]).squaredNorm();
+    }
+  }
+  EXPECT_LT(std::sqrt(off / slips), 1e-3);
+}
+
+TEST(Glide, SlipsGoOverToThoseOfARest)
+{
+  RotationInput input = InStillAir("maple");
+  input.Tracks.resize(1);
+  input.Objects.resize(1);
+  const RotationOutput flown = Refine(input, Unlimited(), 2);
+  Track& track = input.Tracks[0];
+  track.Orientations = flown.Poses[0].Orientations;
+  track.AngularVelocities = flown.Poses[0].AngularVelocities;
+  track.Slips.assign(LongFall, Vec3(0.0, 0.0, -0.1));
+  Constraint hold;
+  hold.ObjectId = 0;
+  hold.Kind = ConstraintKind::Position;
+  hold.Frame = 300;
+  hold.Until = 400;
+  hold.Value = track.Positions[300];
+  input.Constraints.push_back(hold);
+  input.SlipsAlone = true;
+  const std::vector<Vec3> slips = Refine(input, Unlimited(), 2).Poses[0].Slips;
+  EXPECT_GT((slips[200] - track.Slips[200]).norm(), 0.1);
+  for (std::size_t k = 300; k <= 400; ++k)
+  {
+    EXPECT_EQ(slips[k], track.Slips[k]) << k;
+  }
+  const auto off = [&](std::size_t k) { return Vec3(slips[k] - flown.Poses[0].Slips[k]); };
+  for (std::size_t k = 250; k < 300; ++k)
+  {
+    EXPECT_LT((off(k + 1) - off(k)).norm(), 0.1 * off(300).norm()) << k; // a fifteenth of it
+  }
+}
+
 TEST(Glide, TracksWithoutAllOfAPoseAreRefused)
 {
   RotationInput input = InStillAir("leaf");
