@@ -120,7 +120,8 @@ std::vector<Vec3> SlipsAlong(const AttitudePlan& plan, const FlightBody& body,
     if (k + 1 < last && !IsBorne(plan, k + 1, k + 2))
     {
       const Vec3 step = track.Slips[now + 1] - slips[now + 1];
-      for (int j = 0; j < span && k + 1 - j > begin; ++j)
+      slips[now + 1] = track.Slips[now + 1];
+      for (int j = 1; j < span && k + 1 - j > begin; ++j)
       {
         slips[now + 1 - static_cast<std::size_t>(j)] +=
           (1.0 - static_cast<double>(j) / span) * step;

@@ -196,7 +196,7 @@ TEST(Glide, SlipsAreFoundAnewByThePoses)
   EXPECT_LT(std::sqrt(off / slips), 1e-3);
 }
 
-TEST(Glide, SlipsGoOverToThoseOfARest)
+TEST(Glide, SlipsGoOverToThoseOfAHold)
 {
   RotationInput input = InStillAir("maple");
   input.Tracks.resize(1);
@@ -206,11 +206,13 @@ TEST(Glide, SlipsGoOverToThoseOfARest)
   track.Orientations = flown.Poses[0].Orientations;
   track.AngularVelocities = flown.Poses[0].AngularVelocities;
   track.Slips.assign(LongFall, Vec3(0.0, 0.0, -0.1));
+  track.Slips[0] = flown.Poses[0].Slips[0];
   Constraint hold;
   hold.ObjectId = 0;
   hold.Kind = ConstraintKind::Position;
   hold.Frame = 300;
   hold.Until = 400;
+  hold.Hold = 100;
   hold.Value = track.Positions[300];
   input.Constraints.push_back(hold);
   input.SlipsAlone = true;
