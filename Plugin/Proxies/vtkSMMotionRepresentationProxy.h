@@ -54,7 +54,7 @@ private:
   bool ShowsMeasure();
 
   bool HasLook = false;
-  bool WasEmpty = false; // when it was made: its data come later
+  bool WasEmpty = false;           // when it was made: its data come later
   vtkPVXMLElement* Look = nullptr; // of the hints
   std::string Colored;             // the array of which was last seen that it colours
 };

@@ -95,7 +95,8 @@ TEST(JudgeScene, TellsWhatWillBeHardAndAboutWhom)
     FirstOf("no time to fall",
             Rows(R"({"kind": "rest", "object": 0, "frame": 30, "value": [-0.4, 0.1, 0]})")),
     0, 30, 0, { -0.4, 0.1, 0.0 });
-  const std::string stone = R"({"shape": "leaf", "position": [-0.4, 0.1, 1.6], "settlingSpeed": 5})";
+  const std::string stone =
+    R"({"shape": "leaf", "position": [-0.4, 0.1, 1.6], "settlingSpeed": 5})";
   ExpectAbout(
     FirstOf("too heavy",
             Rows(R"({"kind": "position", "object": 0, "frame": 50, "value": [-0.3, 0.1, 1.5]})"),
