@@ -116,6 +116,12 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
     window.Point = { hit.Point, window.Centre.Frame, below };
     window.Normal = hit.Normal;
     window.Room = obstacles.SignedDistance(centre, row.Frame, 1e30, hit.ObstacleId);
+    const double least =
+      obstacles.SignedDistanceTo(hit.ObstacleId, centre, row.Frame, hit) - LandingSlack;
+    if (least < object.RestHeight - 2.0 * LandingSlack) // in a hollow
+    {
+      window.Least = std::max(0.0, least);
+    }
     window.Row = row.Row;
     window.Target = row.Target;
     windows.push_back(window);

@@ -49,7 +49,7 @@ struct LandingWindow
   CarriedPlace Point;          // of the surface, straight below
   Vec3 Normal = Vec3::UnitZ(); // of the surface there
   double Room = 1e30;          // m, from the centre to the nearest other surface
-  double Least = 1e30;         // m, that the centre keeps from the surface, of the RestHeight
+  double Least = 1e30; // m, that the centre keeps from the surface where that is below RestHeight
   int Row = 0;
   int Target = 0;
 };

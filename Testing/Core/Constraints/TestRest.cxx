@@ -185,6 +185,43 @@ TEST(Rest, GoesAlongWithWhatItLiesOn)
   expectNear(StartPlace(leaf, set).At(60), Vec3(4, 0, 2));
 }
 
+TEST(Rest, TheWayIntoAHollowComesAsNearAsThePlace)
+{
+  // A gentle slope along x, and a steep one that begins 5 mm beside the place.
+  const std::vector<Vec3> outline{ Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 1.2), Vec3(0, 0, 1),
+                                   Vec3(-0.1, 0, 2) };
+  ObstacleMesh block;
+  for (const double y : { -1.0, 1.0 })
+  {
+    for (const Vec3& p : outline)
+    {
+      block.Mesh.Points.push_back(p + y * Vec3::UnitY());
+    }
+  }
+  for (int i = 0; i < 5; ++i)
+  {
+    const int j = (i + 1) % 5;
+    block.Mesh.Triangles.push_back({ i, i + 5, j + 5 });
+    block.Mesh.Triangles.push_back({ i, j + 5, j });
+  }
+  for (const auto& [i, j] : { std::pair(4, 0), { 0, 1 }, { 1, 2 } })
+  {
+    block.Mesh.Triangles.push_back({ 3, i, j });
+    block.Mesh.Triangles.push_back({ 8, j + 5, i + 5 });
+  }
+  ObstacleSet set;
+  ASSERT_TRUE(set.Build({ block }));
+  const MotionObject leaf = Leaf();
+  const auto windows = LandingWindows(leaf, { RestRow(Vec3(0.005, 0, 3), 100, 120) }, set, 10.0);
+  ASSERT_EQ(windows.size(), 1u);
+  const Vec3 place = windows[0].Centre.Place;
+  const double least = set.SignedDistance(place, 0);
+  EXPECT_LT(least, 0.8 * leaf.RestHeight);
+  EXPECT_NEAR(windows[0].Least, least, 1e-5);
+  EXPECT_TRUE(IsMotionClear(set, leaf, windows, place + Vec3(0, 0, 0.2), 98, place, 100));
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, place, 100, place - Vec3(0, 0, 0.002), 101));
+}
+
 TEST(Rest, SinksFromItsClearanceAtHalfItsSettlingSpeed)
 {
   MotionObject leaf = Leaf();
