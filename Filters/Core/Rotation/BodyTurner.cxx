@@ -300,7 +300,7 @@ BodyTurn BodyTurner::Turn(std::size_t i) const
                 FlightPath& path, double draw)
             {
               turn.Factors = glider.FactorsAt(draw);
-              if (this->Given.SlipsAlone && draw > 0.0)
+              if (this->Given.SlipsAlone)
               {
                 const Track& track = *plan.Path;
                 SetLimit(this->Limit, path);
@@ -308,7 +308,7 @@ BodyTurn BodyTurner::Turn(std::size_t i) const
                 poses.ObjectId = track.ObjectId;
                 poses.Orientations = track.Orientations;
                 poses.AngularVelocities = track.AngularVelocities;
-                poses.Slips = SlipsAlong(plan, body, path);
+                poses.Slips = draw > 0.0 ? SlipsAlong(plan, body, path) : track.Slips;
                 turn.Outcome.Slowed.assign(poses.Slips.size(), 0);
                 turn.Outcome.Swept.assign(poses.Slips.size(), 0.0);
                 return;

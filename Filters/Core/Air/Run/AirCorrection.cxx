@@ -228,7 +228,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
         return turned;
       }
     }
-    if (!goesOn && k == (isDrawn ? rounds - 1 : 0))
+    if (!goesOn && k == (isDrawn ? rounds - 1 : 0)) // the poses stay from here on
     {
       const Result slipped = SlipAnew(run, state.Sampled.Velocity, state.Bodies);
       if (!slipped || slipped.IsStopped())
