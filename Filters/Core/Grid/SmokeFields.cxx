@@ -178,34 +178,6 @@ Result SmokeSolver::SetVelocity(const std::function<Vec3(const Vec3&)>& velocity
   return Result::Ok();
 }
 
-Result SmokeSolver::AddVelocity(const FieldSeries& velocity)
-{
-  Internals& s = *this->Impl;
-  if (s.Velocity[0].empty())
-  {
-    return Result::Error("The solver has not begun");
-  }
-  if (Result valid = velocity.Validate("The velocity to add"); !valid)
-  {
-    return valid;
-  }
-  const double time = velocity.Times.front();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    ForSamples(s.Layout, axis,
-               [&](int i, int j, int k, std::ptrdiff_t p)
-               {
-                 if (s.Solids.Fractions(axis)[p] > 0.0f)
-                 {
-                   const Vec3 x = s.FaceAt(axis, i, j, k);
-                   s.Velocity[axis][p] += static_cast<float>(velocity.Sample(x, time)[axis]);
-                 }
-               });
-  }
-  s.ProjectAlone();
-  return Result::Ok();
-}
-
 void SmokeSolver::SetDensity(const std::function<double(const Vec3&)>& density)
 {
   Internals& s = *this->Impl;

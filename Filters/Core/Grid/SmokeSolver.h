@@ -90,8 +90,6 @@ public:
   /// Sets the air from a velocity in closed form (m -> m/s), projected when asked; for tests and
   /// for users who start from a known flow. Frame becomes 0, without a warm-up.
   Result SetVelocity(const std::function<Vec3(const Vec3&)>& velocity, bool project);
-  /// Adds a velocity, of the series' first time, and projects. Frame and time stay.
-  Result AddVelocity(const FieldSeries& velocity);
   /// As SetVelocity the smoke's density.
   void SetDensity(const std::function<double(const Vec3&)>& density);
 

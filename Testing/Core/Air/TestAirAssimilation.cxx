@@ -61,12 +61,11 @@ double Difference(const HalfSeries& one, const HalfSeries& other)
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-HalfSeries Simulated(const AirScene& scene, AirSteering* steering = nullptr,
-                     SmokeState* begun = nullptr)
+HalfSeries Simulated(const AirScene& scene, AirSteering* steering = nullptr)
 {
   SilentMonitor monitor;
   HalfSeries air;
-  EXPECT_TRUE(static_cast<bool>(SimulateAir(scene, steering, SerialFor(), monitor, air, begun)));
+  EXPECT_TRUE(static_cast<bool>(SimulateAir(scene, steering, SerialFor(), monitor, air)));
   return air;
 }
 
@@ -144,14 +143,6 @@ TEST(AirSymmetry, ImageOfAnAirIsTheAirOfTheImages)
     HalfSeries image;
     SetImage(all[k], air, image);
     EXPECT_LT(Difference(image, Simulated(turned)), 2e-3) << all[k].Text();
-    SmokeState own, begun;
-    Simulated(scene, nullptr, &own);
-    Simulated(turned, nullptr, &begun);
-    ASSERT_TRUE(TakeImage(all[k], scene, own));
-    EXPECT_EQ(own.Frame, begun.Frame);
-    EXPECT_LT(Difference(Simulated(turned, nullptr, &own), Simulated(turned, nullptr, &begun)),
-              2e-3)
-      << all[k].Text();
   }
   EXPECT_EQ(AirSymmetries({ Vec3(0, 0, 0), Vec3(2, 3, 2) }).size(), 4u);
 }
@@ -174,10 +165,15 @@ TEST(AirSimulation, FollowsWhatItIsSteeredTo)
     }
   }
   const HalfSeries wanted(goal);
-  AirSteering asIs(own, own, {}, 3.0);
-  EXPECT_LT(Difference(Simulated(scene, &asIs), own), 1e-4);
-  AirSteering other(wanted, own, {}, 3.0);
-  EXPECT_LT(Difference(Simulated(scene, &other), wanted), 0.3 * Difference(own, wanted));
+  AirSteering asIs(own, own, 3.0);
+  HalfSeries still = own; // beside which what a start on the lattice loses is little
+  for (std::vector<Half3>& field : still.Values)
+  {
+    std::fill(field.begin(), field.end(), Half3{});
+  }
+  EXPECT_LT(Difference(Simulated(scene, &asIs), own), 0.15 * Difference(still, own));
+  AirSteering other(wanted, own, 3.0);
+  EXPECT_LT(Difference(Simulated(scene, &other), wanted), 0.4 * Difference(own, wanted));
 }
 
 TEST(AirSimulation, HasTheWantedVelocityFromTheFirstFrameOn)
@@ -197,9 +193,8 @@ TEST(AirSimulation, HasTheWantedVelocityFromTheFirstFrameOn)
     }
   }
   const HalfSeries wanted(goal);
-  SmokeState begun;
-  AirSteering steering(wanted, own, {}, 3.0);
-  const FieldSeries air = Unpacked(Simulated(scene, &steering, &begun));
+  AirSteering steering(wanted, own, 3.0);
+  const FieldSeries air = Unpacked(Simulated(scene, &steering));
   double missed = 0.0, added = 0.0;
   const FieldSeries before = Unpacked(own);
   for (std::size_t i = 0; i < air.NumberOfPoints(); ++i)
@@ -211,16 +206,29 @@ TEST(AirSimulation, HasTheWantedVelocityFromTheFirstFrameOn)
     }
   }
   EXPECT_LT(missed, 0.1 * added); // the floor holds what is near it
-  EXPECT_EQ(Simulated(scene, nullptr, &begun).Values, own.Values); // which begins as before
 }
 
-TEST(AirSimulation, GoesOnFromTheFirstFrameToTheSameBits)
+TEST(AirSimulation, ASeriesOnAnotherLatticeIsLinearBetweenItsPoints)
 {
-  const AirScene scene = SmallAir();
-  SmokeState begun;
-  const HalfSeries first = Simulated(scene, nullptr, &begun);
-  EXPECT_FALSE(begun.Arrays.empty());
-  EXPECT_EQ(Simulated(scene, nullptr, &begun).Values, first.Values);
+  const HalfSeries own = Simulated(SmallAir());
+  AirScene scene = SmallAir();
+  scene.LatticeDimensions = { 21, 20, 19 };
+  const HalfSeries other = OnLattice(own, AirLattice(scene, own.Meaning), SerialFor());
+  ASSERT_EQ(other.Values.size(), own.Values.size());
+  EXPECT_EQ(other.Times, own.Times);
+  const FieldSeries plain = Unpacked(own), found = Unpacked(other);
+  for (const std::size_t f : { std::size_t{ 0 }, own.Values.size() - 1 })
+  {
+    for (std::size_t i = 0; i < found.NumberOfPoints(); i += 7)
+    {
+      const Vec3 u = plain.Sample(found.PointAt(i), plain.Times[f]);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(found.Values[f][i][static_cast<std::size_t>(c)], u[c], 2e-3);
+      }
+    }
+  }
+  EXPECT_EQ(OnLattice(own, own, SerialFor()).Values, own.Values);
 }
 
 TEST(AirAssimilation, MeetsEveryRowAndLowersTheControl)
@@ -247,6 +255,24 @@ TEST(AirAssimilation, MeetsEveryRowAndLowersTheControl)
     drifting = row.Stage == "drift" ? row.Control : drifting;
   }
   EXPECT_LT(output.Rounds.back().Control, 0.5 * drifting);
+}
+
+TEST(AirAssimilation, IsGivenOnItsLatticeAlsoWhereItIsOnlyDrawn)
+{
+  AssimilationOptions options = Small();
+  options.Resolution = 36; // drawn with 32
+  options.LatticeResolution = 34;
+  options.Starts = options.WindRounds = 1;
+  options.Candidates = 1;
+  const std::array<int, 3> wanted = AirLatticeDimensions(Leaves().Scene.Bounds, options);
+  const AssimilationOutput simulated = Assimilated(Leaves(), options);
+  EXPECT_EQ(simulated.Air->Velocity.Dimensions, wanted);
+  EXPECT_EQ(simulated.Air->Wind.Dimensions, wanted);
+  options.TimeLimit = 1e-9;
+  const AssimilationOutput drawn = Assimilated(Leaves(), options);
+  EXPECT_EQ(drawn.Air->Velocity.Dimensions, wanted);
+  EXPECT_TRUE(drawn.Air->Wind.IsEmpty());
+  EXPECT_EQ(drawn.Tracks[3].Positions[30], Leaves().Constraints[3].Value);
 }
 
 TEST(AirAssimilation, BodiesWithInertiaGoInTheAirThatIsLeft)
@@ -491,7 +517,7 @@ TEST(AirAssimilation, StopsWhereItIsAskedTo)
     bool Tick(double fraction, const std::string&) override { return fraction < this->At; }
     double At;
   };
-  for (const double at : { 0.1, 0.7 })
+  for (const double at : { 0.05, 0.7 })
   {
     StopsAt monitor(at);
     AssimilationOutput output;
@@ -500,8 +526,8 @@ TEST(AirAssimilation, StopsWhereItIsAskedTo)
     const AssimilationInput input = Leaves();
     ASSERT_EQ(output.Tracks.size(), input.Tracks.size()); // the best so far
     ASSERT_EQ(output.Controls.size(), input.Tracks.size());
-    EXPECT_EQ(output.Air->Velocity.IsEmpty(), at < 0.25);
-    for (std::size_t o = 0; o < input.Tracks.size() && at < 0.25; ++o)
+    EXPECT_EQ(output.Air->Velocity.IsEmpty(), at < 0.08);
+    for (std::size_t o = 0; o < input.Tracks.size() && at < 0.08; ++o)
     {
       EXPECT_EQ(output.Tracks[o].Positions, input.Tracks[o].Positions); // the plan
       EXPECT_EQ(output.Controls[o].size(), input.Tracks[o].Positions.size());

@@ -96,17 +96,16 @@ Field PlainMeans(const std::array<int, 3>& n, Field field)
 }
 
 // The push at a frame before it is smoothed, and after.
-Field PlainPush(const HalfSeries& wanted, const HalfSeries& own, const HalfSeries& push,
-                const Field& now, std::size_t f)
+Field PlainPush(const HalfSeries& wanted, const HalfSeries& own, const Field& now, std::size_t f)
 {
   const Field asked = PlainDerivative(wanted, f), driven = PlainDerivative(own, f);
   const Field goal = wanted.At(f);
-  Field sum = push.At(f);
+  Field sum(now.size());
   for (std::size_t i = 0; i < sum.size(); ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      const float feed = asked[i][c] - driven[i][c] + sum[i][c];
+      const float feed = asked[i][c] - driven[i][c];
       sum[i][c] = feed + static_cast<float>(Rate) * (goal[i][c] - now[i][c]);
     }
   }
@@ -120,14 +119,14 @@ TEST(AirSteering, IsThatOfPlainLoops)
   for (const std::size_t frames : { std::size_t{ 1 }, std::size_t{ 2 }, std::size_t{ 6 } })
   {
     const HalfSeries wanted = SomeAir(1, frames), own = SomeAir(2, frames);
-    const HalfSeries push = SomeAir(3, frames), now = SomeAir(4, frames);
+    const HalfSeries now = SomeAir(4, frames);
     for (const int threads : { 1, 3 })
     {
-      AirSteering steering(wanted, own, push, Rate);
+      AirSteering steering(wanted, own, Rate);
       for (std::size_t f = 0; f < frames; ++f)
       {
         const FieldSeries found = steering.At(static_cast<int>(f), now.At(f), ThreadedFor(threads));
-        EXPECT_EQ(found.Values[0], PlainPush(wanted, own, push, now.At(f), f)) << f;
+        EXPECT_EQ(found.Values[0], PlainPush(wanted, own, now.At(f), f)) << f;
       }
     }
   }
@@ -135,26 +134,8 @@ TEST(AirSteering, IsThatOfPlainLoops)
 
 TEST(AirSteering, MayBeginAtAnyFrame)
 {
-  const HalfSeries wanted = SomeAir(1, 6), own = SomeAir(2, 6), push = SomeAir(3, 6);
+  const HalfSeries wanted = SomeAir(1, 6), own = SomeAir(2, 6);
   const Field now = SomeAir(4, 1).At(0);
-  AirSteering steering(wanted, own, push, Rate);
-  EXPECT_EQ(steering.At(3, now, SerialFor()).Values[0], PlainPush(wanted, own, push, now, 3));
-}
-
-TEST(AirSteering, PacksWhatHasPassedAndGivesItBackWhole)
-{
-  constexpr std::size_t Count = 50;
-  const HalfSeries wanted = SomeAir(1, Count), own = SomeAir(2, Count), push = SomeAir(3, Count);
-  const HalfSeries now = SomeAir(4, Count);
-  for (const std::size_t stop : { std::size_t{ 1 }, std::size_t{ 35 }, Count })
-  {
-    AirSteering plain(wanted, own, push, Rate), packing(wanted, own, push, Rate, true);
-    for (std::size_t f = 0; f < stop; ++f)
-    {
-      const Field expected = plain.At(static_cast<int>(f), now.At(f), SerialFor()).Values[0];
-      const FieldSeries found = packing.At(static_cast<int>(f), now.At(f), ThreadedFor(2));
-      ASSERT_EQ(found.Values[0], expected) << f;
-    }
-    EXPECT_EQ(packing.TakeWanted().Values, wanted.Values) << stop;
-  }
+  AirSteering steering(wanted, own, Rate);
+  EXPECT_EQ(steering.At(3, now, SerialFor()).Values[0], PlainPush(wanted, own, now, 3));
 }

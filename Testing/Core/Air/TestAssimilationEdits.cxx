@@ -211,7 +211,7 @@ TEST(AssimilationEdits, ACheckpointGoesOnToTheSameBits)
   AssimilationOptions options = Small();
   options.CheckpointFile = testing::TempDir() + "waft-assimilation.state";
   bool wasCorrected = false;
-  for (const double part : { 0.42, 0.5, 0.6, 0.97 })
+  for (const double part : { 0.3, 0.5, 0.6, 0.85 })
   {
     StopsAt stopping(part);
     AssimilationOutput stopped;

@@ -106,48 +106,6 @@ TEST(SmokeSolver, ForcesAreThoseOfTheClosedForms)
   }
 }
 
-TEST(SmokeSolver, AVelocityIsAddedWithinTheWalls)
-{
-  const SmokeOptions options = Options(16, BoundaryKind::Closed);
-  SmokeSolver solver;
-  ASSERT_TRUE(static_cast<bool>(solver.Begin(options, {})));
-  const auto whirl = [&options](const Vec3& x)
-  {
-    const Vec3 s = M_PI * (x - options.Bounds.Min).cwiseQuotient(options.Bounds.Size());
-    return Vec3(std::sin(s.x()) * std::cos(s.y()), -std::cos(s.x()) * std::sin(s.y()), 0.0);
-  };
-  ASSERT_TRUE(static_cast<bool>(solver.SetVelocity(whirl, true)));
-  const double energy = solver.KineticEnergy();
-  ASSERT_GT(energy, 0.0);
-  FieldSeries added;
-  added.Meaning = FieldMeaning::Velocity;
-  added.Dimensions = { 33, 33, 33 };
-  added.Origin = options.Bounds.Min;
-  added.Spacing = options.Bounds.Size() / 32.0;
-  added.Times = { 0.0 };
-  added.Values.resize(1);
-  for (int k = 0; k < 33; ++k)
-  {
-    for (int j = 0; j < 33; ++j)
-    {
-      for (int i = 0; i < 33; ++i)
-      {
-        const Vec3 u = whirl(added.Origin + Vec3(i, j, k).cwiseProduct(added.Spacing));
-        added.Values[0].push_back(
-          { static_cast<float>(-0.5 * u.x()), static_cast<float>(-0.5 * u.y()), 0.3f });
-      }
-    }
-  }
-  ASSERT_TRUE(static_cast<bool>(solver.AddVelocity(added)));
-  // Half of the whirl is left; the even part does not go through walls, and is gone.
-  EXPECT_NEAR(solver.KineticEnergy() / energy, 0.25, 0.01);
-  EXPECT_LT(solver.MaximumDivergence(), 1e-3);
-  EXPECT_EQ(solver.Frame(), 0);
-  added.Values[0].pop_back();
-  EXPECT_FALSE(static_cast<bool>(solver.AddVelocity(added)));
-  EXPECT_FALSE(static_cast<bool>(SmokeSolver().AddVelocity(added)));
-}
-
 TEST(SmokeSolver, WarmSmokeRisesAndCoolSmokeSinks)
 {
   for (const double sign : { 1.0, -1.0 })

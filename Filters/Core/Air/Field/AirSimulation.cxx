@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/AirSimulation.h"
 
+#include "Air/Field/AirSampler.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -31,27 +33,18 @@ struct Neighbours
   }
 };
 
-// The cells' velocities at the points of the lattice; across a wall there is none, nor on the
-// floor.
-void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattice& lattice,
-              const ParallelFor& parallel, FieldSeries::Field& values)
+// Linear between the points that a field is given at.
+void Interpolate(const PointLattice& from, const FieldSeries::Field& field,
+                 const SeriesLattice& lattice, const ParallelFor& parallel,
+                 FieldSeries::Field& values)
 {
   const std::array<int, 3>& n = lattice.Dimensions;
-  const Neighbours along[3] = { { lattice, cells, 0 },
-                                { lattice, cells, 1 },
-                                { lattice, cells, 2 } };
+  const Neighbours along[3] = { { lattice, from, 0 }, { lattice, from, 1 }, { lattice, from, 2 } };
   values.resize(lattice.NumberOfPoints());
-  const auto isWall = [&](int axis, int i)
-  {
-    const bool ends = i == 0 || i + 1 == n[static_cast<std::size_t>(axis)];
-    const bool closed =
-      scene.Smoke.Boundary[static_cast<std::size_t>(axis)] == BoundaryKind::Closed;
-    return ends && (closed || (axis == 2 && i == 0 && scene.Smoke.ClosedFloor));
-  };
   const auto row = [&](int j, int k)
   {
-    return cells.Velocity.data() +
-           (static_cast<std::size_t>(k) * cells.Dimensions[1] + j) * cells.Dimensions[0];
+    return field.data() +
+           (static_cast<std::size_t>(k) * from.Dimensions[1] + j) * from.Dimensions[0];
   };
   const auto points = [&](std::size_t j, std::size_t k)
   {
@@ -76,14 +69,6 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattic
           (*value)[c] += weights[r] * ((1.0f - x) * rows[r][low][c] + x * rows[r][high][c]);
         }
       }
-      const std::size_t index[3] = { i, j, k };
-      for (int c = 0; c < 3; ++c)
-      {
-        if (isWall(c, static_cast<int>(index[c])))
-        {
-          (*value)[static_cast<std::size_t>(c)] = 0.0f;
-        }
-      }
     }
   };
   parallel(static_cast<std::size_t>(n[2]),
@@ -97,6 +82,28 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattic
                }
              }
            });
+}
+
+// Across a wall there is no velocity, nor any on the floor.
+void StopAtWalls(const AirScene& scene, const SeriesLattice& lattice, FieldSeries::Field& values)
+{
+  const std::array<int, 3>& n = lattice.Dimensions;
+  std::size_t stride = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto count = static_cast<std::size_t>(n[axis]);
+    const bool closed = scene.Smoke.Boundary[axis] == BoundaryKind::Closed;
+    const bool low = closed || (axis == 2 && scene.Smoke.ClosedFloor);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const std::size_t at = i / stride % count;
+      if ((at == 0 && low) || (at + 1 == count && closed))
+      {
+        values[i][axis] = 0.0f;
+      }
+    }
+    stride *= count;
+  }
   StopAtFloor(lattice, values);
 }
 
@@ -134,14 +141,34 @@ void AppendAir(const AirScene& scene, const SmokeSolver& solver, const ParallelF
   SmokeFrame cells;
   solver.ReadVelocity(cells);
   FieldSeries::Field values;
-  Restrict(cells, scene, air, parallel, values);
+  Interpolate(cells, cells.Velocity, air, parallel, values);
+  StopAtWalls(scene, air, values);
   air.Times.push_back(solver.Time());
   air.Values.emplace_back();
   air.Set(air.Values.size() - 1, values);
 }
 
+HalfSeries OnLattice(HalfSeries series, const SeriesLattice& lattice, const ParallelFor& parallel)
+{
+  if (series.IsEmpty() || series.Dimensions == lattice.Dimensions)
+  {
+    return series;
+  }
+  HalfSeries other(lattice);
+  other.Meaning = series.Meaning;
+  other.Times = series.Times;
+  for (std::size_t f = 0; f < series.Values.size(); ++f)
+  {
+    FieldSeries::Field values;
+    Interpolate(series, series.At(f), lattice, parallel, values);
+    other.Values.emplace_back();
+    other.Set(f, values);
+  }
+  return other;
+}
+
 Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
-                   Monitor& monitor, HalfSeries& air, SmokeState* begun)
+                   Monitor& monitor, HalfSeries& air, const SmokeState* begun)
 {
   SmokeSolver solver;
   WAFT_RETURN_IF_FAILED(solver.Begin(scene.Smoke, scene.Forces));
@@ -150,9 +177,15 @@ Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelF
   for (int frame = 0; frame < scene.Time.NumberOfFrames; ++frame)
   {
     WAFT_RETURN_IF_FAILED(PlaceSolids(scene, frame, solver));
-    if (frame == 0 && begun != nullptr && !begun->Arrays.empty())
+    if (frame == 0 && begun != nullptr)
     {
       WAFT_RETURN_IF_FAILED(solver.Restore(*begun));
+    }
+    if (frame == 0 && steering != nullptr)
+    {
+      const AirSampler wanted(steering->WantedAir());
+      WAFT_RETURN_IF_FAILED(
+        solver.SetVelocity([&](const Vec3& x) { return wanted.At(0, x); }, /*project=*/true));
     }
     if (solver.Frame() < frame)
     {
@@ -164,29 +197,15 @@ Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelF
         return stepped;
       }
     }
-    if (frame == 0 && begun != nullptr)
-    {
-      *begun = solver.Save();
-    }
-    FieldSeries::Field values;
-    const auto read = [&]
-    {
-      solver.ReadVelocity(cells);
-      Restrict(cells, scene, air, parallel, values);
-    };
-    read();
-    if (steering != nullptr && frame == 0)
-    {
-      WAFT_RETURN_IF_FAILED(solver.AddVelocity(steering->Lacking(values)));
-      read();
-    }
+    AppendAir(scene, solver, parallel, air);
     if (steering != nullptr)
     {
-      solver.SetSteering(steering->At(frame, values, parallel));
+      solver.ReadVelocity(cells);
+      FieldSeries::Field now;
+      Interpolate(cells, cells.Velocity, steering->WantedAir(), parallel, now);
+      StopAtWalls(scene, steering->WantedAir(), now);
+      solver.SetSteering(steering->At(frame, now, parallel));
     }
-    air.Times.push_back(scene.Time.Time(frame));
-    air.Values.push_back(steering != nullptr ? steering->TakeSpare() : std::vector<Half3>());
-    air.Set(static_cast<std::size_t>(frame), values);
   }
   return Result::Ok();
 }

@@ -39,13 +39,15 @@ Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver);
 void AppendAir(const AirScene& scene, const SmokeSolver& solver, const ParallelFor& parallel,
                HalfSeries& air);
 
-/// air: the velocity at each frame. steering: null: left to itself; else the air has the wanted
-/// velocity from its first frame on, to which it would have to be pushed otherwise. begun: the
-/// state of the first frame before that: left where it is empty, gone on from where it is given; of
-/// frame -1 it is warmed up first, and left.
+/// A series at the points of another lattice, linear between its own.
+HalfSeries OnLattice(HalfSeries series, const SeriesLattice& lattice, const ParallelFor& parallel);
+
+/// air: the velocity at each frame. steering: null: left to itself; else the air begins with the
+/// wanted velocity of the first frame. begun: the state before that frame, from which it is warmed
+/// up; null: it begins at rest.
 /// Two frames of the simulation itself are in memory. Stopped by the monitor, the list ends before
 /// the last frame. The same on any number of threads.
 Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
-                   Monitor& monitor, HalfSeries& air, SmokeState* begun = nullptr);
+                   Monitor& monitor, HalfSeries& air, const SmokeState* begun = nullptr);
 
 } // namespace waft

@@ -69,7 +69,7 @@ WAFT_SIMD_CLONES void AddPush(const float* wanted, const float* own, const float
 {
   for (std::size_t q = 0; q < count; ++q)
   {
-    push[q] = wanted[q] - own[q] + push[q] + rate * (goal[q] - now[q]);
+    push[q] = wanted[q] - own[q] + rate * (goal[q] - now[q]);
   }
 }
 
@@ -203,45 +203,17 @@ void ThreeFrames::MaterialDerivative(const HalfSeries& series, std::size_t begin
   }
 }
 
-AirSteering::AirSteering(HalfSeries wanted, HalfSeries own, HalfSeries push, double rate,
-                         bool packs) :
-  Wanted(std::move(wanted)),
-  Own(std::move(own)), Pushes(std::move(push)), Rate(rate), Packs(packs)
+AirSteering::AirSteering(const HalfSeries& wanted, const HalfSeries& own, double rate) :
+  Wanted(wanted), Own(own), Pushes(static_cast<const SeriesLattice&>(wanted)), Rate(rate)
 {
-  if (this->Pushes.IsEmpty())
-  {
-    this->Pushes = HalfSeries(static_cast<const SeriesLattice&>(this->Wanted));
-    this->Pushes.Meaning = FieldMeaning::Acceleration;
-    this->Pushes.Values.assign(this->Wanted.Values.size(), {});
-  }
-}
-
-HalfSeries AirSteering::TakeWanted()
-{
-  this->Passed.Unpack(this->Wanted.Values);
-  return std::move(this->Wanted);
-}
-
-FieldSeries AirSteering::Lacking(const Field& now) const
-{
-  FieldSeries lacking{ static_cast<const SeriesLattice&>(this->Wanted) };
-  lacking.Times = { this->Wanted.Times.front() };
-  lacking.Values = { this->Wanted.At(0) };
-  for (std::size_t i = 0; i < now.size(); ++i)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      lacking.Values[0][i][c] -= now[i][c];
-    }
-  }
-  return lacking;
+  this->Pushes.Meaning = FieldMeaning::Acceleration;
+  this->Pushes.Values.resize(wanted.Values.size());
 }
 
 FieldSeries AirSteering::At(int frame, const Field& now, const ParallelFor& parallel)
 {
   const auto f = static_cast<std::size_t>(frame);
-  Field push = this->Pushes.At(f);
-  push.resize(now.size());
+  Field push(now.size());
   this->WantedNow.MoveTo(this->Wanted, f);
   this->OwnNow.MoveTo(this->Own, f);
   Field wanted(now.size()), own(now.size());
@@ -259,15 +231,6 @@ FieldSeries AirSteering::At(int frame, const Field& now, const ParallelFor& para
   for (int pass = 0; pass < SmoothingPasses; ++pass)
   {
     Smooth(this->Pushes.Dimensions, parallel, push, wanted);
-  }
-  this->Spare.clear();
-  if (f > 0)
-  {
-    if (this->Packs)
-    {
-      this->Passed.PackUpTo(f, this->Wanted.Values, parallel);
-    }
-    this->Spare = std::move(this->Own.Values[f - 1]); // which no later frame asks for
   }
   this->Pushes.Set(f, push);
   FieldSeries one{ static_cast<const SeriesLattice&>(this->Pushes) };

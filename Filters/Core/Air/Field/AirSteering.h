@@ -2,7 +2,6 @@
 // What makes a simulation of smoke follow a wanted air.
 #pragma once
 
-#include "Air/Field/PackedSeries.h"
 #include "Base/HalfSeries.h"
 #include "Base/Parallel.h"
 
@@ -41,29 +40,21 @@ class AirSteering
 public:
   using Field = FieldSeries::Field;
 
-  /// wanted: m/s. own: the air as it went without the change, m/s, let go of as the frames pass;
-  /// push: what steered it then, m/s^2, or empty. rate: 1/s. packs: of the wanted air, frames that
-  /// have passed are held in less than half their memory, for TakeWanted.
-  AirSteering(HalfSeries wanted, HalfSeries own, HalfSeries push, double rate, bool packs = false);
-  /// What the air of the first frame, which moves by `now`, lacks of the wanted one [m/s].
-  FieldSeries Lacking(const Field& now) const;
+  /// wanted: m/s. own: the air as it went without the change, m/s, on the same lattice. Both are to
+  /// live as long. rate: 1/s.
+  AirSteering(const HalfSeries& wanted, const HalfSeries& own, double rate);
+  const HalfSeries& WantedAir() const { return this->Wanted; }
   /// The acceleration from a frame on [m/s^2], where the air moves by `now`. Frames in order. The
   /// same on any number of threads.
   FieldSeries At(int frame, const Field& now, const ParallelFor& parallel);
-  /// The memory of a field that the last frame was the last one to ask for; of the first frame
-  /// none.
-  std::vector<Half3> TakeSpare() { return std::move(this->Spare); }
-  /// As it was given.
-  HalfSeries TakeWanted();
   /// Of all frames so far.
   HalfSeries TakePushes() { return std::move(this->Pushes); }
 
 private:
-  HalfSeries Wanted, Own, Pushes;
+  const HalfSeries& Wanted;
+  const HalfSeries& Own;
+  HalfSeries Pushes;
   double Rate;
-  bool Packs;
-  PackedFrames Passed; // of Wanted
-  std::vector<Half3> Spare;
   ThreeFrames WantedNow, OwnNow;
 };
 

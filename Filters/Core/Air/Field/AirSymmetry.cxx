@@ -101,46 +101,6 @@ void SetImage(const AirSymmetry& symmetry, const HalfSeries& field, HalfSeries& 
   }
 }
 
-Result TakeImage(const AirSymmetry& symmetry, const AirScene& scene, SmokeState& state)
-{
-  SmokeSolver from, to;
-  WAFT_RETURN_IF_FAILED(from.Begin(scene.Smoke, {}));
-  WAFT_RETURN_IF_FAILED(from.Restore(state));
-  WAFT_RETURN_IF_FAILED(to.Begin(scene.Smoke, {}));
-  const std::array<std::vector<float>, 3> faces = { from.FaceVelocities(0), from.FaceVelocities(1),
-                                                    from.FaceVelocities(2) };
-  const std::array<int, 3>& n = scene.Smoke.Resolution;
-  const Box& volume = scene.Smoke.Bounds;
-  const Vec3 spacing = scene.Smoke.Spacing();
-  const Mat3 m = symmetry.Matrix();
-  // Only the component across the face that x is the middle of is asked for.
-  const auto velocity = [&](const Vec3& x) -> Vec3
-  {
-    const Vec3 at = volume.Center() + m.transpose() * (x - volume.Center()) - volume.Min;
-    Vec3 u;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      std::array<int, 3> index{}, count = n;
-      ++count[static_cast<std::size_t>(axis)];
-      for (int c = 0; c < 3; ++c)
-      {
-        const auto of = static_cast<std::size_t>(c);
-        const double cells = at[c] / spacing[c] - (c == axis ? 0.0 : 0.5);
-        index[of] = std::clamp(static_cast<int>(std::lround(cells)), 0, count[of] - 1);
-      }
-      u[axis] =
-        faces[static_cast<std::size_t>(axis)]
-             [static_cast<std::size_t>((index[2] * count[1] + index[1]) * count[0] + index[0])];
-    }
-    return m * u;
-  };
-  WAFT_RETURN_IF_FAILED(to.SetVelocity(velocity, /*project=*/false));
-  const int frame = state.Frame;
-  state = to.Save();
-  state.Frame = frame;
-  return Result::Ok();
-}
-
 SmokeForces Image(const AirSymmetry& symmetry, const Box& volume, const SmokeForces& forces)
 {
   SmokeForces image = forces;

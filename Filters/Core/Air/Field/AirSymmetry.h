@@ -3,7 +3,6 @@
 // is an air, too.
 #pragma once
 
-#include "Air/Field/AirSimulation.h"
 #include "Base/HalfSeries.h"
 #include "Base/Types.h"
 #include "Grid/SmokeOptions.h"
@@ -27,8 +26,6 @@ std::vector<AirSymmetry> AirSymmetries(const Box& volume);
 /// The image of a field whose lattice the symmetry maps onto itself, to the bit; in the memory that
 /// `image` has.
 void SetImage(const AirSymmetry& symmetry, const HalfSeries& field, HalfSeries& image);
-/// A state of the scene's grid becomes its image; without solids.
-Result TakeImage(const AirSymmetry& symmetry, const AirScene& scene, SmokeState& state);
 /// The image of vortices and winds in closed form.
 SmokeForces Image(const AirSymmetry& symmetry, const Box& volume, const SmokeForces& forces);
 

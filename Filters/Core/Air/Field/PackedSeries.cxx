@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/PackedSeries.h"
 
-#include "Base/ReadingStream.h"
 #include "Base/Simd.h"
 
 #include <zstd.h>
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <utility>
 
 namespace waft
 {
@@ -183,36 +180,6 @@ void ReadPacked(StateArchive& stream, Frames& values)
            values[k].data()->data());
     }
   }
-}
-
-void PackedFrames::PackUpTo(std::size_t end, std::vector<std::vector<Half3>>& values,
-                            const ParallelFor& parallel)
-{
-  while (FramesAtOnce * (this->Blocks.size() + 1) <= end)
-  {
-    const auto first = static_cast<std::ptrdiff_t>(FramesAtOnce * this->Blocks.size());
-    Frames block(std::make_move_iterator(values.begin() + first),
-                 std::make_move_iterator(values.begin() + first + FramesAtOnce));
-    MemoryStream packed;
-    WritePacked(packed, block, parallel);
-    this->Blocks.emplace_back(packed.Content.begin(), packed.Content.end()); // no longer than it is
-  }
-}
-
-void PackedFrames::Unpack(std::vector<std::vector<Half3>>& values)
-{
-  std::size_t at = 0;
-  for (std::vector<char>& packed : this->Blocks)
-  {
-    ReadingStream stream(std::move(packed));
-    Frames block;
-    ReadPacked(stream, block);
-    for (std::vector<Half3>& field : block)
-    {
-      values[at++] = std::move(field);
-    }
-  }
-  this->Blocks.clear();
 }
 
 } // namespace waft

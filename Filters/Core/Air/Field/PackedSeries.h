@@ -18,18 +18,4 @@ void WritePacked(StateArchive& stream, const std::vector<std::vector<Half3>>& va
 /// What was written so; a stream with anything else is refused.
 void ReadPacked(StateArchive& stream, std::vector<std::vector<Half3>>& values);
 
-/// The fields of a series that are not needed for now, out of its way.
-class PackedFrames
-{
-public:
-  /// Packs and lets go of the values before `end`, by whole blocks from the first time on.
-  void PackUpTo(std::size_t end, std::vector<std::vector<Half3>>& values,
-                const ParallelFor& parallel);
-  /// Puts them back.
-  void Unpack(std::vector<std::vector<Half3>>& values);
-
-private:
-  std::vector<std::vector<char>> Blocks; // each of as many times
-};
-
 } // namespace waft

@@ -24,6 +24,7 @@ namespace
 {
 
 constexpr int LeastFrames = 2;
+constexpr int LeastDrawn = 32;  // voxels along the longest side, of an air as drawn
 constexpr int LongestSide = 32; // of the volume, over the shortest: of less no coarse grid is made
 constexpr double WindSpacingOverSide = 0.1; // the longest of the volume
 constexpr double LeastWindSpacing = 1.0 / 256.0;
@@ -37,6 +38,17 @@ void ShowPaths(const AirContext& run, const AirBodies& bodies, std::vector<Track
     tracks[o].Positions = bodies.Paths[o];
     tracks[o].Positions.resize(bodies.Paths[o].size() - (run.Input.Scene.Loops != 0 ? 1 : 0));
   }
+}
+
+// An air that is simulated again is drawn on a grid of half the resolution, as a preview's.
+AssimilationOptions Drawn(AssimilationOptions options)
+{
+  if (options.Rounds > 0)
+  {
+    options.Resolution = std::max(std::min(options.Resolution, LeastDrawn), options.Resolution / 2);
+    options.LatticeResolution = std::min(options.LatticeResolution, options.Resolution);
+  }
+  return options;
 }
 
 // From the plan to the marks in the air as it was drawn.
@@ -69,20 +81,32 @@ Result DriftEdited(const AirContext& run, AirState& state, AssimilationOutput& o
   return Result::Ok();
 }
 
-// Another round: the air does not yet do enough of it, and there is time.
-bool GoesOn(const AirContext& run, const AirState& state, const AssimilationOutput& output)
+Result CorrectAndSimulate(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
+                          AssimilationOutput& output)
 {
-  if (state.Rounds >= run.Options.Rounds)
+  if (state.Plain.IsEmpty())
   {
-    return false;
+    HalfSeries plain = state.Sampled.Velocity;
+    const Result corrected = AddWind(run, state, output);
+    if (!corrected || corrected.IsStopped())
+    {
+      return corrected;
+    }
+    state.Plain = std::move(plain);
+    KeepCheckpoint(run, state, output, checkpoint);
   }
-  const AssimilationRound& last = output.Rounds.back();
-  const bool isLate = run.Options.TimeLimit > 0.0 && run.Seconds() > run.Options.TimeLimit;
-  return last.Control > EnoughControl * last.Flow && !isLate;
+  const HalfSeries plain = std::exchange(state.Plain, HalfSeries());
+  const Result simulated = SimulateAgain(run, plain, state, output);
+  if (simulated && !simulated.IsStopped())
+  {
+    state.IsSimulated = true;
+    KeepCheckpoint(run, state, output, checkpoint);
+  }
+  return simulated;
 }
 
-// An air is drawn, the objects drift in it; then, round by round, it is simulated with the force of
-// the wind that makes their controls needless, and what it lacks then is added to it as it is.
+// An air is drawn, the objects drift in it; then it is simulated with the force of the wind that
+// makes their controls needless, and what it lacks then is added to it as it is.
 Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
                   AssimilationOutput& output)
 {
@@ -120,33 +144,15 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
       KeepCheckpoint(run, state, output, checkpoint);
     }
   }
-  while (!result.IsStopped() && (!state.Plain.IsEmpty() || GoesOn(run, state, output)))
+  const bool isLate = run.Options.TimeLimit > 0.0 && run.Seconds() > run.Options.TimeLimit;
+  if (!result.IsStopped() && run.Options.Rounds > 0 && !state.IsSimulated && !isLate)
   {
-    if (state.Plain.IsEmpty())
-    {
-      HalfSeries plain = state.Sampled.Velocity;
-      result = AddWind(run, true, state, output);
-      WAFT_RETURN_IF_FAILED(result);
-      if (!result.IsStopped())
-      {
-        state.Plain = std::move(plain);
-        KeepCheckpoint(run, state, output, checkpoint);
-      }
-    }
-    if (!result.IsStopped())
-    {
-      result = SimulateAgain(run, std::exchange(state.Plain, HalfSeries()), state, output);
-    }
+    result = CorrectAndSimulate(run, checkpoint, state, output);
     WAFT_RETURN_IF_FAILED(result);
-    if (!result.IsStopped())
-    {
-      ++state.Rounds;
-      KeepCheckpoint(run, state, output, checkpoint);
-    }
   }
-  if (!result.IsStopped() && (state.Rounds > 0 || run.Options.Rounds == 0))
+  if (!result.IsStopped() && (state.IsSimulated || run.Options.Rounds == 0))
   {
-    result = AddWind(run, false, state, output);
+    result = AddWind(run, state, output);
     WAFT_RETURN_IF_FAILED(result);
   }
   if (!result.IsStopped() && state.Bodies.Poses.empty()) // the first air took everybody
@@ -216,7 +222,7 @@ Result AssimilateShot(const AssimilationInput& input, const AssimilationOptions&
   AirState state;
   WAFT_RETURN_IF_FAILED(SetUpObstacles(setUp));
   WAFT_RETURN_IF_FAILED(SetUpBodies(setUp, state.Bodies, output));
-  state.Scene = SetUpScene(setUp);
+  state.Scene = SetUpScene(setUp, Drawn(options));
   setUp.Search.HasSolids = static_cast<bool>(state.Scene.Solids);
   setUp.Key = KeyOf(input, options);
   setUp.Publish = [&](const AirBodies& bodies)

@@ -84,7 +84,8 @@ struct AssimilationOptions
         "Rounds",
         { 0, 10 },
         "",
-        "How often the air is simulated again, at most, with the force of the wind correction." },
+        "0: the wind correction is added to the air as it is drawn; else it is drawn on half the "
+        "resolution, and simulated once with the force of that correction." },
       of.Rounds...);
     visit(OptionField{ "WindRounds",
                        { 0, 100 },

@@ -5,6 +5,7 @@
 #include "Air/Field/WindCorrection.h"
 #include "Air/Run/AirLoop.h"
 #include "Air/Run/AirRounds.h"
+#include "Air/Run/AirSetup.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/BodyTurning.h"
 #include "Air/Run/RunProgress.h"
@@ -23,22 +24,22 @@ namespace waft
 namespace
 {
 
-constexpr double SteeringShare = 0.8;                 // of what the air lacks, in a frame
-constexpr std::size_t LongAir = std::size_t(1) << 27; // points of all frames, 0.8 GB
+constexpr double SteeringShare = 0.8; // of what the air lacks, in a frame
 // What a wind may be off at the bodies, over the flow there: of the first fit to an air as drawn,
 // of the first to one that has been simulated again, and of the last.
 constexpr double FirstError = 1.0;
 constexpr double FurtherError = 0.05;
 constexpr double LastError = 0.01;
-// Chi2 of a wind that such an air may well have, and of one after which none is simulated any more:
-// what asks for more stays control.
-constexpr double Likely = 0.12;
-constexpr double LikelyInTheEnd = 0.19;
-constexpr int FurtherRounds = 3;      // of fits to an air that has been simulated again, at most
+// Chi2 of a wind that such an air may well have, whose force it is simulated with, of one beside
+// that, and of one that is all that is added to an air: what asks for more stays control.
+constexpr double Likely = 0.25;
+constexpr double LikelyInTheEnd = 0.8;
+constexpr double LikelyAlone = 0.19;
+constexpr int FurtherRounds = 5;      // of fits to an air that has been simulated again, at most
 constexpr double Enough = 0.02;       // of the flow, that is left as control: then no further ones
+constexpr double Slow = 0.95;         // of the control before, that is left: likewise
 constexpr int MostIterations = 60;    // of conjugate gradients
 constexpr double LargeGradient = 0.5; // that they leave, of which is warned
-constexpr int RestFits = 2;           // the lattice is not the splines, and is rounded
 constexpr int WindStride = 3;         // frames between samples of a wind, but for the rest
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
@@ -192,31 +193,35 @@ double MomentumResidual(const AirContext& run, const AirState& state, const Half
   return all > 0.0 ? std::sqrt(std::accumulate(added.begin(), added.end(), 0.0) / all) : 0.0;
 }
 
-bool IsEnough(const AssimilationOutput& output)
+// The last fit of some left little, or hardly less than the one before.
+bool IsEnough(const std::vector<AssimilationRound>& rounds)
 {
-  const AssimilationRound& last = output.Rounds.back();
-  return last.Control <= Enough * last.Flow;
+  const AssimilationRound& last = rounds.back();
+  return last.Control <= Enough * last.Flow ||
+         last.Control > Slow * rounds[rounds.size() - 2].Control;
 }
 
 } // namespace
 
-Result AddWind(const AirContext& run, bool goesOn, AirState& state, AssimilationOutput& output)
+Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
   const HalfSeries plain = state.Sampled.Velocity;
   WindCorrection correction = CorrectionOf(run, plain);
   const double flow = FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
-  const bool isDrawn = state.Rounds == 0;
+  const bool isDrawn = !state.IsSimulated;
+  const bool isLast = !isDrawn || run.Options.Rounds == 0;
   const int rounds =
     isDrawn ? run.Options.WindRounds : std::min(FurtherRounds, run.Options.WindRounds);
+  const int turning = isDrawn ? std::max(1, rounds - 2) : 0; // those that disagree
+  const int slipping = isDrawn ? rounds - 1 : std::min(2, rounds - 1);
   const double firstError = isDrawn ? FirstError : FurtherError;
-  const double begin = ProgressOf(run.Options.Rounds, state.Rounds, 0.0);
-  const double step =
-    (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / std::max(1, rounds);
-  const double likely = goesOn ? Likely : LikelyInTheEnd;
+  const double begin = isDrawn ? DriftEnd : SeekingEnd;
+  const double step = ((isLast ? 1.0 : WindEnd) - begin) / std::max(1, rounds);
+  const double likely = !isLast ? Likely : isDrawn ? LikelyAlone : LikelyInTheEnd;
   double leastError = 0.0;
   for (int k = 0; k < rounds; ++k)
   {
-    const bool turns = isDrawn ? k == 0 || k == std::max(1, rounds - 2) : goesOn && k == 0;
+    const bool turns = (isDrawn && k == 0) || k == turning;
     if (turns)
     {
       const Result turned = isDrawn && k == 0
@@ -228,7 +233,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
         return turned;
       }
     }
-    if (!goesOn && k == (isDrawn ? rounds - 1 : 0)) // the poses stay from here on
+    if (isLast && k == slipping) // the poses stay from here on
     {
       const Result slipped = SlipAnew(run, state.Sampled.Velocity, state.Bodies);
       if (!slipped || slipped.IsStopped())
@@ -261,7 +266,7 @@ Result AddWind(const AirContext& run, bool goesOn, AirState& state, Assimilation
     {
       leastError = error * correction.Fitted().ChiSquared / likely;
     }
-    if (!isDrawn && IsEnough(output))
+    if (!isDrawn && k >= slipping && IsEnough(output.Rounds))
     {
       break;
     }
@@ -276,49 +281,37 @@ void AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
   const double error = LastError * FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
   PartMonitor fitting(run.Caller, 1.0, 1.0, "Fitting what the air lacks still");
   SilentMonitor silent; // what is found by a stop is added to all frames
-  bool goesOn = true;
-  for (int k = 0; goesOn && k < RestFits && (k == 0 || !IsEnough(output)); ++k)
-  {
-    goesOn = Fit(run, state, error, 1, correction, fitting);
-    (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
-    output.Rounds.push_back(RoundOf(run, state, "rest " + std::to_string(k + 1), &correction));
-    output.Rounds.back().Candidate = FitText(correction.Fitted()) + "; momentum residual " +
-                                     NumberText(MomentumResidual(run, state, plain), 2) +
-                                     " of the acceleration";
-  }
+  (void)Fit(run, state, error, 1, correction, fitting);
+  (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
+  output.Rounds.push_back(RoundOf(run, state, "rest", &correction));
+  output.Rounds.back().Candidate = FitText(correction.Fitted()) + "; momentum residual " +
+                                   NumberText(MomentumResidual(run, state, plain), 2) +
+                                   " of the acceleration";
   WarnOfFit(correction.Fitted(), output);
 }
 
-Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
+Result SimulateAgain(const AirContext& run, const HalfSeries& plain, AirState& state,
                      AssimilationOutput& output)
 {
-  const int rounds = run.Options.Rounds;
-  const std::string number = std::to_string(state.Rounds + 1);
-  const bool isLong = plain.Values.size() * plain.NumberOfPoints() > LongAir;
-  AirSteering steering(std::move(state.Sampled.Velocity), std::move(plain),
-                       std::move(state.Sampled.Wind),
-                       SteeringShare * run.Input.Scene.Time.FramesPerSecond, isLong);
-  state.Sampled = SampledAir();
+  AirScene scene = SetUpScene(run, run.Options);
+  scene.Forces = state.Scene.Forces;
+  AirSteering steering(state.Sampled.Velocity, plain,
+                       SteeringShare * run.Input.Scene.Time.FramesPerSecond);
   HalfSeries air;
-  PartMonitor monitor(run.Caller, ProgressOf(rounds, state.Rounds, WindEnd),
-                      ProgressOf(rounds, state.Rounds, SimulationEnd),
-                      "Simulating the air with the wind correction, round " + number +
-                        " of at most " + std::to_string(rounds));
-  const Result simulated =
-    SimulateAir(state.Scene, &steering, run.Parallel, monitor, air, &state.Begun);
+  PartMonitor monitor(run.Caller, WindEnd, SimulationEnd,
+                      "Simulating the air with the wind correction");
+  const Result simulated = SimulateAir(scene, &steering, run.Parallel, monitor, air);
   if (!simulated || simulated.IsStopped())
   {
-    state.Sampled.Velocity = steering.TakeWanted(); // in which the objects drift
-    return simulated;
+    return simulated; // the objects drift in the air that was wanted
   }
   if (run.Input.Scene.Loops != 0)
   {
     BendEnds(run.Input.Scene.Time.FramesPerSecond, run.Parallel, air);
   }
+  state.Sampled.Wind = OnLattice(steering.TakePushes(), air, run.Parallel);
   state.Sampled.Velocity = std::move(air);
-  state.Sampled.Wind = steering.TakePushes();
-  PartMonitor drifting(run.Caller, ProgressOf(rounds, state.Rounds, SimulationEnd),
-                       ProgressOf(rounds, state.Rounds, DriftingEnd),
+  PartMonitor drifting(run.Caller, SimulationEnd, SeekingEnd,
                        "Letting the objects drift to their marks");
   const Result drifted =
     DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting);
@@ -326,14 +319,13 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
   {
     return drifted;
   }
-  PartMonitor seeking(run.Caller, ProgressOf(rounds, state.Rounds, DriftingEnd),
-                      ProgressOf(rounds, state.Rounds, 1.0), "Seeking anew what the air has lost");
+  PartMonitor seeking(run.Caller, SeekingEnd, SeekingEnd, "Seeking anew what the air has lost");
   const Result sought = SeekAgain(run, state.Sampled.Velocity, state.Bodies, seeking);
   if (!sought || sought.IsStopped())
   {
     return sought;
   }
-  output.Rounds.push_back(RoundOf(run, state, "simulate " + number));
+  output.Rounds.push_back(RoundOf(run, state, "simulate"));
   return Result::Ok();
 }
 

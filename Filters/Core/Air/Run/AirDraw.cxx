@@ -51,10 +51,11 @@ BodyLaw TypicalLaw(const AirBodies& bodies)
 AirScene CoarseSceneOf(const AirContext& run, const AirScene& scene)
 {
   AirScene coarse = scene;
+  const int most = *std::max_element(scene.Smoke.Resolution.begin(), scene.Smoke.Resolution.end());
   coarse.LatticeDimensions.fill(CoarseVoxels);
   for (int& voxels : coarse.Smoke.Resolution)
   {
-    voxels = std::max(4, voxels * CoarseVoxels / run.Options.Resolution);
+    voxels = std::max(4, voxels * CoarseVoxels / most);
   }
   if (scene.Solids)
   {
@@ -143,9 +144,10 @@ Result Draw(const AirContext& run, const AirScene& scene, const BodyLaw& law, Dr
   }
   stirred.Forces = draw.Forces;
   stirred.Forces.Wind = run.Input.Wind;
-  WAFT_RETURN_IF_FAILED(BeginWarmUp(draw.Begin, stirred, drawn.Begun));
+  SmokeState begun;
+  WAFT_RETURN_IF_FAILED(BeginWarmUp(draw.Begin, stirred, begun));
   PartMonitor monitor(run.Caller, DrawsEnd, DrawEnd, Drawing);
-  result = SimulateAir(stirred, nullptr, run.Parallel, monitor, drawn.Air, &drawn.Begun);
+  result = SimulateAir(stirred, nullptr, run.Parallel, monitor, drawn.Air, &begun);
   if (run.Input.Scene.Loops != 0 && result && !result.IsStopped())
   {
     JoinEnds(period, run.Parallel, drawn.Air);
@@ -173,7 +175,6 @@ Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& outpu
   }
   HalfSeries& air = state.Sampled.Velocity;
   air = std::move(drawn.Air);
-  state.Begun = std::move(drawn.Begun);
   std::vector<AirSymmetry> symmetries = AirSymmetries(run.Input.Scene.Bounds);
   const auto candidates = static_cast<std::size_t>(run.Options.Candidates);
   symmetries.resize(IsSymmetric(run, state.Scene) ? std::min(symmetries.size(), candidates) : 1);
@@ -206,7 +207,6 @@ Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& outpu
   if (best.Text() != AirSymmetry().Text())
   {
     air = std::move(bestImage);
-    WAFT_RETURN_IF_FAILED(TakeImage(best, state.Scene, state.Begun));
   }
   return Result::Ok();
 }

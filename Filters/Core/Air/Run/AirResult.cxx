@@ -3,6 +3,7 @@
 
 #include "Air/Run/AirCorrection.h"
 #include "Air/Run/AirRounds.h"
+#include "Air/Run/AirSetup.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/BodyTurning.h"
 #include "Base/NumberText.h"
@@ -109,16 +110,19 @@ void KeepPlan(const AirContext& run, AssimilationOutput& output)
 Result FinishRun(const AirContext& run, bool isStopped, AirState& state, AssimilationOutput& output)
 {
   AirBodies& bodies = state.Bodies;
+  HalfSeries& series = state.Sampled.Velocity;
+  series = OnLattice(std::move(series), AirLattice(SetUpScene(run, run.Options), series.Meaning),
+                     run.Parallel); // a stop may have come before it was simulated
   if (isStopped)
   {
     output.Warnings.push_back("stopped: objects may come too near to each other");
   }
   else
   {
-    WAFT_RETURN_IF_FAILED(LandFreeBodies(run, state.Sampled.Velocity, bodies));
-    KeepApart(run, state.Sampled.Velocity, bodies);
+    WAFT_RETURN_IF_FAILED(LandFreeBodies(run, series, bodies));
+    KeepApart(run, series, bodies);
   }
-  const std::vector<char> clear = FinishPaths(run, state.Sampled.Velocity, bodies);
+  const std::vector<char> clear = FinishPaths(run, series, bodies);
   if (!isStopped && bodies.IsOld.empty() && run.Options.WindRounds > 0) // an edit keeps the air
   {
     AddRest(run, state, output);
@@ -128,12 +132,11 @@ Result FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimil
     output.Rounds.pop_back(); // of the run that this one goes on from
   }
   output.Rounds.push_back(RoundOf(run, state, Finished));
-  WarnOfLargeControls(run, bodies, state.Sampled.Velocity, output.Rounds.back().Flow,
-                      output.Warnings);
+  WarnOfLargeControls(run, bodies, series, output.Rounds.back().Flow, output.Warnings);
   output.Tracks.assign(bodies.Size(), Track()); // in place of what was published
   output.Controls.assign(bodies.Size(), {});
   output.Free.assign(bodies.Size(), {});
-  const AirSampler air(state.Sampled.Velocity);
+  const AirSampler air(series);
   run.Parallel(bodies.Size(),
                [&](std::size_t begin, std::size_t end)
                {

@@ -131,7 +131,7 @@ Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput&
   return Result::Ok();
 }
 
-AirScene SetUpScene(const AirContext& run)
+AirScene SetUpScene(const AirContext& run, const AssimilationOptions& options)
 {
   AirScene scene;
   SmokeOptions& smoke = scene.Smoke;
@@ -148,13 +148,13 @@ AirScene SetUpScene(const AirContext& run)
   smoke.NegligibleForce = StirringLeast;
   smoke.Confinement /= TimeScaleOf(smoke.Bounds.Width());
   const Vec3 size = smoke.Bounds.Size();
-  const double voxel = size.maxCoeff() / run.Options.Resolution;
+  const double voxel = size.maxCoeff() / options.Resolution;
   for (int c = 0; c < 3; ++c)
   {
     const auto axis = static_cast<std::size_t>(c);
     smoke.Resolution[axis] = std::max(4, static_cast<int>(std::lround(size[c] / voxel)));
   }
-  scene.LatticeDimensions = AirLatticeDimensions(smoke.Bounds, run.Options);
+  scene.LatticeDimensions = AirLatticeDimensions(smoke.Bounds, options);
   scene.Time = run.Input.Scene.Time;
   if (run.Solids && run.FromSolids)
   {

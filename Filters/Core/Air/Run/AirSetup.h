@@ -18,6 +18,6 @@ Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput&
 /// What makes the air, but for the forces.
 /// Those of the run, and which of them the air meets.
 Result SetUpObstacles(AirContext& run);
-AirScene SetUpScene(const AirContext& run);
+AirScene SetUpScene(const AirContext& run, const AssimilationOptions& options);
 
 } // namespace waft

@@ -41,17 +41,14 @@ struct AirBodies
 /// A run goes from one of these to the next, stage by stage.
 struct AirState
 {
-  int Rounds = 0;        // simulations with the wind correction that are done
-  std::string Candidate; // the draw that goes on
-  AirScene Scene;        // what makes the air: the forces are those drawn
-  SmokeState Begun;      // the air of the first frame, before any wind of ours
-  SampledAir Sampled;    // the air as it is
-  HalfSeries Plain;      // before the correction that waits to be simulated; or empty
+  bool IsSimulated = false; // with the wind correction
+  std::string Candidate;    // the draw that goes on
+  AirScene Scene;           // what the air is drawn from: the forces are those drawn
+  SampledAir Sampled;       // the air as it is
+  HalfSeries Plain;         // before the correction that waits to be simulated; or empty
   AirBodies Bodies;
 };
 
-/// Of the flow at the bodies: what an air may leave to their control.
-inline constexpr double EnoughControl = 0.12;
 /// In which a body that has touched the ground tips over and comes to lie [s].
 inline constexpr double SettlingTime = 0.4;
 

@@ -104,8 +104,7 @@ void KeepCheckpoint(const AirContext& run, const AirState& state, const Assimila
     return;
   }
   AssimilationState kept = Kept(run, state, output);
-  kept.Rounds = state.Rounds;
-  kept.Begun = state.Begun;
+  kept.IsSimulated = state.IsSimulated;
   kept.Air = { std::shared_ptr<void>(), &state.Sampled }; // for the time of the writing
   kept.Plain = { std::shared_ptr<void>(), &state.Plain };
   checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); });
@@ -134,8 +133,7 @@ bool Resume(AirContext& run, CheckpointFile& checkpoint, AirState& state,
   {
     TakePath(o, kept, state.Bodies);
   }
-  state.Rounds = kept.Rounds;
-  state.Begun = std::move(kept.Begun);
+  state.IsSimulated = kept.IsSimulated;
   state.Plain = *kept.Plain;
   return true;
 }

@@ -50,11 +50,10 @@ inline AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationO
 struct AssimilationState
 {
   AssimilationKey Key;
-  int Rounds = 0; // simulations with the wind correction that are done
+  bool IsSimulated = false; // with the wind correction
   bool IsFinished = false;
   std::string Candidate;
   SmokeForces Forces; // but for the wind, which is the input's
-  SmokeState Begun;   // of a run that goes on
   std::shared_ptr<const SampledAir> Air = std::make_shared<SampledAir>();
   /// Before the correction that waits to be simulated, of a run that goes on; or empty.
   std::shared_ptr<const HalfSeries> Plain = std::make_shared<HalfSeries>();
@@ -72,12 +71,11 @@ struct AssimilationState
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(of.Key...);
-    visit(of.Rounds...);
+    visit(of.IsSimulated...);
     visit(of.IsFinished...);
     visit(of.Candidate...);
     visit(of.Forces.Vortices...);
     visit(of.Forces.Winds...);
-    visit(of.Begun...);
     visit(of.Paths...);
     visit(of.Poses...);
     visit(of.TouchDowns...);
@@ -91,7 +89,7 @@ struct AssimilationState
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-inline constexpr StateKind AssimilationKind = { "assimilation", 10 };
+inline constexpr StateKind AssimilationKind = { "assimilation", 11 };
 
 void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel);
 void ReadSeries(StateArchive& stream, HalfSeries& series);

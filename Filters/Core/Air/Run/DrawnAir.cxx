@@ -8,7 +8,7 @@ namespace waft
 namespace
 {
 
-constexpr StateKind DrawnKind = { "drawn air", 1 };
+constexpr StateKind DrawnKind = { "drawn air", 2 };
 
 } // namespace
 

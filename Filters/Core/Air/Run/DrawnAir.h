@@ -13,7 +13,6 @@ namespace waft
 struct DrawnAir
 {
   SmokeForces Forces; // but for the field of wind, which is the input's
-  SmokeState Begun;   // of the first frame
   HalfSeries Air;
   AirStatistics Wanted; // of bodies in it
   std::string WarmUp;   // in words
@@ -24,7 +23,6 @@ struct DrawnAir
   {
     visit(of.Forces.Vortices...);
     visit(of.Forces.Winds...);
-    visit(of.Begun...);
     visit(of.Wanted...);
     visit(of.WarmUp...);
   }

@@ -2,21 +2,13 @@
 // How far a run is, part by part.
 #pragma once
 
-#include <algorithm>
-
 namespace waft
 {
 
-inline constexpr double DrawEnd = 0.25; // of a run, about
-inline constexpr double DriftEnd = 0.4;
-inline constexpr double WindEnd = 0.15; // of a round, about
-inline constexpr double SimulationEnd = 0.85;
-inline constexpr double DriftingEnd = 0.92;
-
-/// Where a round begins, and a fraction of it is done, in the progress of a run.
-inline double ProgressOf(int rounds, int round, double fraction)
-{
-  return DriftEnd + (round + fraction) * (1.0 - DriftEnd) / std::max(1, rounds);
-}
+inline constexpr double DrawEnd = 0.08; // of a run that simulates its air again, about
+inline constexpr double DriftEnd = 0.2;
+inline constexpr double WindEnd = 0.45;
+inline constexpr double SimulationEnd = 0.75;
+inline constexpr double SeekingEnd = 0.8;
 
 } // namespace waft
