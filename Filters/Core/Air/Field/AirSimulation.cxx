@@ -87,24 +87,37 @@ void Interpolate(const PointLattice& from, const FieldSeries::Field& field,
 // Across a wall there is no velocity, nor any on the floor.
 void StopAtWalls(const AirScene& scene, const SeriesLattice& lattice, FieldSeries::Field& values)
 {
-  const std::array<int, 3>& n = lattice.Dimensions;
   std::size_t stride = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const auto count = static_cast<std::size_t>(n[axis]);
-    const bool closed = scene.Smoke.Boundary[axis] == BoundaryKind::Closed;
-    const bool low = closed || (axis == 2 && scene.Smoke.ClosedFloor);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    const auto count = static_cast<std::size_t>(lattice.Dimensions[axis]);
+    const auto stopAt = [&](std::size_t layer)
     {
-      const std::size_t at = i / stride % count;
-      if ((at == 0 && low) || (at + 1 == count && closed))
+      for (std::size_t first = layer * stride; first < values.size(); first += count * stride)
       {
-        values[i][axis] = 0.0f;
+        for (std::size_t i = first; i < first + stride; ++i)
+        {
+          values[i][axis] = 0.0f;
+        }
       }
+    };
+    if (scene.Smoke.Boundary[axis] == BoundaryKind::Closed)
+    {
+      stopAt(0);
+      stopAt(count - 1);
     }
     stride *= count;
   }
   StopAtFloor(lattice, values);
+}
+
+FieldSeries::Field OnLattice(const SmokeFrame& cells, const AirScene& scene,
+                             const SeriesLattice& lattice, const ParallelFor& parallel)
+{
+  FieldSeries::Field values;
+  Interpolate(cells, cells.Velocity, lattice, parallel, values);
+  StopAtWalls(scene, lattice, values);
+  return values;
 }
 
 } // namespace
@@ -135,17 +148,12 @@ HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
   return series;
 }
 
-void AppendAir(const AirScene& scene, const SmokeSolver& solver, const ParallelFor& parallel,
-               HalfSeries& air)
+void AppendAir(const AirScene& scene, const SmokeFrame& cells, double time,
+               const ParallelFor& parallel, HalfSeries& air)
 {
-  SmokeFrame cells;
-  solver.ReadVelocity(cells);
-  FieldSeries::Field values;
-  Interpolate(cells, cells.Velocity, air, parallel, values);
-  StopAtWalls(scene, air, values);
-  air.Times.push_back(solver.Time());
+  air.Times.push_back(time);
   air.Values.emplace_back();
-  air.Set(air.Values.size() - 1, values);
+  air.Set(air.Values.size() - 1, OnLattice(cells, scene, air, parallel));
 }
 
 HalfSeries OnLattice(HalfSeries series, const SeriesLattice& lattice, const ParallelFor& parallel)
@@ -197,14 +205,12 @@ Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelF
         return stepped;
       }
     }
-    AppendAir(scene, solver, parallel, air);
+    solver.ReadVelocity(cells);
+    AppendAir(scene, cells, scene.Time.Time(frame), parallel, air);
     if (steering != nullptr)
     {
-      solver.ReadVelocity(cells);
-      FieldSeries::Field now;
-      Interpolate(cells, cells.Velocity, steering->WantedAir(), parallel, now);
-      StopAtWalls(scene, steering->WantedAir(), now);
-      solver.SetSteering(steering->At(frame, now, parallel));
+      solver.SetSteering(
+        steering->At(frame, OnLattice(cells, scene, steering->WantedAir(), parallel), parallel));
     }
   }
   return Result::Ok();

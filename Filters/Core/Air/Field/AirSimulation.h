@@ -35,9 +35,9 @@ HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning);
 /// Where the solids are at a frame; nothing where there are none, or they do not move after the
 /// first.
 Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver);
-/// The solver's air as it is, on the scene's lattice, behind what the series has.
-void AppendAir(const AirScene& scene, const SmokeSolver& solver, const ParallelFor& parallel,
-               HalfSeries& air);
+/// The velocities in a solver's cells, on the scene's lattice, behind what the series has.
+void AppendAir(const AirScene& scene, const SmokeFrame& cells, double time,
+               const ParallelFor& parallel, HalfSeries& air);
 
 /// A series at the points of another lattice, linear between its own.
 HalfSeries OnLattice(HalfSeries series, const SeriesLattice& lattice, const ParallelFor& parallel);

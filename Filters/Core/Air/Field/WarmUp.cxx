@@ -64,7 +64,8 @@ Result FindWarmUp(AirScene scene, const std::function<SmokeForces(double until)>
   const double extent = volume.Size().prod();
   std::vector<double> speeds, vorticities; // rms, by frame
   std::deque<std::vector<Half3>> airs;     // the last ones
-  int turnover = 0;                        // steps
+  SmokeFrame cells;
+  int turnover = 0; // steps
   while (found.Turnover == 0)
   {
     const double begun = static_cast<double>(speeds.size()) / (MostTurnovers * longest);
@@ -77,7 +78,8 @@ Result FindWarmUp(AirScene scene, const std::function<SmokeForces(double until)>
     speeds.push_back(std::sqrt(2.0 * solver.KineticEnergy() / extent));
     vorticities.push_back(std::sqrt(2.0 * solver.Enstrophy() / extent));
     HalfSeries air = AirLattice(scene, FieldMeaning::Velocity);
-    AppendAir(scene, solver, parallel, air);
+    solver.ReadVelocity(cells);
+    AppendAir(scene, cells, solver.Time(), parallel, air);
     airs.push_back(std::move(air.Values.front()));
     if (airs.size() > 2 * static_cast<std::size_t>(longest))
     {
