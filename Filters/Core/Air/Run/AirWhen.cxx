@@ -232,7 +232,10 @@ Result ChooseWhen(AirContext& run, const HalfSeries& series, AirBodies& bodies,
   {
     for (const std::size_t i : places.Of(run.Input.Tracks[o].ObjectId))
     {
-      isOpen[o] |= run.Rows[i].IsOpenWindow && IsBinding(run.Rows[i], output.Report) ? 1 : 0;
+      if (run.Rows[i].IsOpenWindow && IsBinding(run.Rows[i], output.Report))
+      {
+        isOpen[o] = 1;
+      }
     }
   }
   chosen = static_cast<int>(std::count(isOpen.begin(), isOpen.end(), 1));
