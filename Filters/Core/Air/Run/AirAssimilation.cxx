@@ -81,6 +81,12 @@ Result DriftEdited(const AirContext& run, AirState& state, AssimilationOutput& o
   return Result::Ok();
 }
 
+bool IsLate(const AirContext& run)
+{
+  return run.Options.TimeLimit > 0.0 && run.Seconds() > run.Options.TimeLimit;
+}
+
+// Where the time is up in between, the correction is what the air has.
 Result CorrectAndSimulate(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
                           AssimilationOutput& output)
 {
@@ -94,6 +100,10 @@ Result CorrectAndSimulate(const AirContext& run, CheckpointFile& checkpoint, Air
     }
     state.Plain = std::move(plain);
     KeepCheckpoint(run, state, output, checkpoint);
+  }
+  if (IsLate(run))
+  {
+    return Result::Ok();
   }
   const HalfSeries plain = std::exchange(state.Plain, HalfSeries());
   const Result simulated = SimulateAgain(run, plain, state, output);
@@ -144,8 +154,7 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
       KeepCheckpoint(run, state, output, checkpoint);
     }
   }
-  const bool isLate = run.Options.TimeLimit > 0.0 && run.Seconds() > run.Options.TimeLimit;
-  if (!result.IsStopped() && run.Options.Rounds > 0 && !state.IsSimulated && !isLate)
+  if (!result.IsStopped() && run.Options.Rounds > 0 && !state.IsSimulated && !IsLate(run))
   {
     result = CorrectAndSimulate(run, checkpoint, state, output);
     WAFT_RETURN_IF_FAILED(result);
@@ -155,7 +164,7 @@ Result Assimilate(AirContext& run, CheckpointFile& checkpoint, AirState& state,
     result = AddWind(run, state, output);
     WAFT_RETURN_IF_FAILED(result);
   }
-  if (!result.IsStopped() && state.Bodies.Poses.empty()) // the first air took everybody
+  if (!result.IsStopped() && state.Bodies.Poses.empty()) // there was no time for a correction
   {
     result = TurnAndDrift(run, state.Sampled.Velocity, DriftIterations, Everybody(state.Bodies),
                           state.Bodies);
