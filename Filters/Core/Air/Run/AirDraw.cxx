@@ -122,11 +122,6 @@ double Try(const AirContext& run, const AirBodies& bodies, const AirStatistics& 
          StrengthCost(found.AccelerationVariance, wanted.AccelerationVariance);
 }
 
-} // namespace
-
-namespace
-{
-
 // What does not hang on the marks.
 Result Draw(const AirContext& run, const AirScene& scene, const BodyLaw& law, DrawnAir& drawn)
 {
