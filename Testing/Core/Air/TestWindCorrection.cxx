@@ -133,7 +133,12 @@ private:
       for (int c = 0; c < 3; ++c)
       {
         std::vector<double> own(splines.Coefficients(), 0.0);
-        WindSplines::AddCurl(place, at, splines.RowsOf(place, at), Vec3::Unit(c), own.data());
+        for (std::size_t m = 0; m < 4; ++m)
+        {
+          WindSplines::AddCurl(place, { splines.NodesOf(place), splines.Nodes() },
+                               at.Weight[m] * Vec3::Unit(c),
+                               own.data() + 3 * splines.Nodes() * at.Knots[m]);
+        }
         for (std::size_t i = 0; i < own.size(); ++i)
         {
           rows(c, begin + static_cast<Eigen::Index>(i)) = own[i];
@@ -314,8 +319,7 @@ TEST(WindCorrection, HasTheVarianceOfItsScales)
     {
       const WindSplines::Place place =
         splines.At(random.InBox({ Vec3(-1.0, -1.0, 1.0), Vec3(1.0, 1.0, 3.0) }));
-      const WindSplines::Instant at = splines.At(random.Uniform(20.0, 70.0));
-      sum += WindSplines::Curl(place, at, splines.RowsOf(place, at), values.data()).squaredNorm();
+      sum += splines.WindAt(place, random.Uniform(20.0, 70.0), values.data()).squaredNorm();
       count += 3;
     }
   }

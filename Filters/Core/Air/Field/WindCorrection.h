@@ -2,6 +2,7 @@
 // A wind that all bodies share: the most probable one that makes their controls needless.
 #pragma once
 
+#include "Air/Field/WindEquations.h"
 #include "Air/Field/WindSplines.h"
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
@@ -24,14 +25,6 @@ struct WindScale
 /// lattice's; times between splines go as the eddies', with the power 2/3 of their size. Variances
 /// come from the air's structure function, of which one at r counts what is smaller than r.
 std::vector<WindScale> ScalesOf(const HalfSeries& air, double spacing, double timeSpacing);
-
-/// What the wind is wanted to be, at one frame (half frames, too).
-struct WindSamples
-{
-  double Frame = 0.0;
-  std::vector<Vec3> Positions; // m
-  std::vector<Vec3> Values;    // m/s
-};
 
 /// Distance to what air does not pass, and the direction away from it; the reach where nothing is
 /// as near.
@@ -71,8 +64,6 @@ public:
              Monitor& monitor) const;
 
 private:
-  class Touched;
-
   struct Nearness // of solids
   {
     double Distance = 0.0;

@@ -191,23 +191,6 @@ std::array<std::size_t, 16> WindSplines::NodesOf(const Place& place) const
   return nodes;
 }
 
-WindSplines::Rows WindSplines::RowsOf(const Place& place, const Instant& at) const
-{
-  Rows rows;
-  const std::array<std::size_t, 16> nodes = this->NodesOf(place);
-  const std::size_t all = this->Nodes();
-  for (std::size_t m = 0; m < 4; ++m)
-  {
-    const std::size_t begin = 3 * all * at.Knots[m];
-    rows.Next[m] = all;
-    for (std::size_t i = 0; i < 16; ++i)
-    {
-      rows.First[m][i] = begin + nodes[i];
-    }
-  }
-  return rows;
-}
-
 namespace
 {
 
@@ -238,9 +221,8 @@ WAFT_INLINE double SumOf(const Double4& v)
 
 // The parts along x of what is needed, summed over the rows; the products of those with the splines
 // along x come last.
-WAFT_SIMD_CLONES void SumRows(const WindSplines::Place& place, const WindSplines::Instant& at,
-                              const WindSplines::Rows& rows, const double* values, double* curl,
-                              double* potential)
+WAFT_SIMD_CLONES void SumRows(const WindSplines::Place& place, const WindSplines::Rows& rows,
+                              const double* values, double* curl, double* potential)
 {
   const WindSplines::Axis& y = place.Along[1];
   const WindSplines::Axis& z = place.Along[2];
@@ -249,18 +231,11 @@ WAFT_SIMD_CLONES void SumRows(const WindSplines::Place& place, const WindSplines
   {
     for (int j = 0; j < 4; ++j)
     {
-      Double4 a[3] = {};
-      for (std::size_t m = 0; m < 4; ++m)
-      {
-        const double* row = values + rows.First[m][static_cast<std::size_t>(4 * k + j)];
-        for (Double4& sum : a)
-        {
-          Double4 v;
-          Load(row, v);
-          sum += at.Weight[m] * v;
-          row += rows.Next[m];
-        }
-      }
+      const double* row = values + rows.First[static_cast<std::size_t>(4 * k + j)];
+      Double4 a[3];
+      Load(row, a[0]);
+      Load(row + rows.Next, a[1]);
+      Load(row + 2 * rows.Next, a[2]);
       x01 += a[0] * (y.Held[j] * z.Slope[k]);
       x02 += a[0] * (y.Slope[j] * z.Held[k]);
       xHeld += a[0] * (y.Held[j] * z.Held[k]);
@@ -280,9 +255,8 @@ WAFT_SIMD_CLONES void SumRows(const WindSplines::Place& place, const WindSplines
   potential[2] = SumOf(zHeld * held);
 }
 
-WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines::Instant& at,
-                              const WindSplines::Rows& rows, const double* v, const double* p,
-                              double* values, std::size_t begin)
+WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines::Rows& rows,
+                              const double* v, const double* p, double* values)
 {
   const WindSplines::Axis& y = place.Along[1];
   const WindSplines::Axis& z = place.Along[2];
@@ -300,24 +274,17 @@ WAFT_SIMD_CLONES void AddRows(const WindSplines::Place& place, const WindSplines
         held * (v[0] * (y.Slope[j] * z.Plain[k]) + p[2] * (y.Held[j] * z.Plain[k])) -
           slope * (v[1] * (y.Held[j] * z.Plain[k]))
       };
-      for (std::size_t m = 0; m < 4; ++m)
-      {
-        double* row = values + (rows.First[m][static_cast<std::size_t>(4 * k + j)] - begin);
-        for (const Double4& product : products)
-        {
-          Add(at.Weight[m] * product, row);
-          row += rows.Next[m];
-        }
-      }
+      double* row = values + rows.First[static_cast<std::size_t>(4 * k + j)];
+      Add(products[0], row);
+      Add(products[1], row + rows.Next);
+      Add(products[2], row + 2 * rows.Next);
     }
   }
 }
 
 // Squares of what each value adds to the components of the curl, but for the hold's slope.
 WAFT_SIMD_CLONES void AddSquaresOfRows(const WindSplines::Place& place,
-                                       const WindSplines::Instant& at,
-                                       const WindSplines::Rows& rows, double weight, double* values,
-                                       std::size_t begin)
+                                       const WindSplines::Rows& rows, double weight, double* values)
 {
   const WindSplines::Axis& y = place.Along[1];
   const WindSplines::Axis& z = place.Along[2];
@@ -336,41 +303,46 @@ WAFT_SIMD_CLONES void AddSquaresOfRows(const WindSplines::Place& place,
                                             square(y.Slope[j], z.Held[k])),
                                    held * square(y.Plain[j], z.Slope[k]) + slope * yz,
                                    held * square(y.Slope[j], z.Plain[k]) + slope * zy };
-      for (std::size_t m = 0; m < 4; ++m)
-      {
-        double* row = values + (rows.First[m][static_cast<std::size_t>(4 * k + j)] - begin);
-        for (const Double4& own : squares)
-        {
-          Add(at.Weight[m] * at.Weight[m] * own, row);
-          row += rows.Next[m];
-        }
-      }
+      double* row = values + rows.First[static_cast<std::size_t>(4 * k + j)];
+      Add(squares[0], row);
+      Add(squares[1], row + rows.Next);
+      Add(squares[2], row + 2 * rows.Next);
     }
   }
 }
 
 } // namespace
 
-void WindSplines::AddSquares(const Place& place, const Instant& at, const Rows& rows, double weight,
-                             double* values, std::size_t begin)
+void WindSplines::AddSquares(const Place& place, const Rows& rows, double weight, double* values)
 {
-  AddSquaresOfRows(place, at, rows, weight * place.Hold.Factor * place.Hold.Factor, values, begin);
+  AddSquaresOfRows(place, rows, weight * place.Hold.Factor * place.Hold.Factor, values);
 }
 
-Vec3 WindSplines::Curl(const Place& place, const Instant& at, const Rows& rows,
-                       const double* values)
+Vec3 WindSplines::Curl(const Place& place, const Rows& rows, const double* values)
 {
   Vec3 curl, potential;
-  SumRows(place, at, rows, values, curl.data(), potential.data());
+  SumRows(place, rows, values, curl.data(), potential.data());
   return place.Hold.Factor * curl + place.Hold.Slope.cross(potential);
 }
 
-void WindSplines::AddCurl(const Place& place, const Instant& at, const Rows& rows,
-                          const Vec3& value, double* values, std::size_t begin)
+void WindSplines::AddCurl(const Place& place, const Rows& rows, const Vec3& value, double* values)
 {
   const Vec3 v = place.Hold.Factor * value;
   const Vec3 p = value.cross(place.Hold.Slope);
-  AddRows(place, at, rows, v.data(), p.data(), values, begin);
+  AddRows(place, rows, v.data(), p.data(), values);
+}
+
+Vec3 WindSplines::WindAt(const Place& place, double frame, const double* coefficients) const
+{
+  const Instant at = this->At(frame);
+  const Rows rows{ this->NodesOf(place), this->Nodes() };
+  Vec3 wind = Vec3::Zero();
+  for (std::size_t m = 0; m < 4; ++m)
+  {
+    const double* knot = coefficients + 3 * this->Nodes() * at.Knots[m];
+    wind += at.Weight[m] * Curl(place, rows, knot);
+  }
+  return wind;
 }
 
 void WindSplines::AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,

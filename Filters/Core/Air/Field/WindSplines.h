@@ -46,13 +46,13 @@ public:
     std::size_t Knots[4]; // each the one after the one before, or the first one
     double Weight[4];
   };
-  /// Where coefficients lie in a list: of each of the four knots of an instant the first of the
-  /// four nodes along x that are the j-th along y and the k-th along z ([4 k + j]), those of x; and
-  /// how far it is from there to those of y, and on to those of z.
+  /// Where the coefficients of a knot lie in a list: the first of the four nodes along x that are
+  /// the j-th along y and the k-th along z ([4 k + j]), those of x; and how far it is from there to
+  /// those of y, and on to those of z.
   struct Rows
   {
-    std::array<std::array<std::size_t, 16>, 4> First;
-    std::array<std::size_t, 4> Next;
+    std::array<std::size_t, 16> First;
+    std::size_t Next;
   };
 
   /// spacing: of the splines, and how far from a wall they are held back [m]; timeSpacing: s.
@@ -69,18 +69,14 @@ public:
   Instant At(double frame) const;
   /// The j-th along y and the k-th along z: [4 k + j].
   std::array<std::size_t, 16> NodesOf(const Place& place) const;
-  /// In the list of all coefficients.
-  Rows RowsOf(const Place& place, const Instant& at) const;
-  static Vec3 Curl(const Place& place, const Instant& at, const Rows& rows, const double* values);
-  /// To these, what the product of a value and the curl is of each. begin: of the values in the
-  /// list.
-  static void AddCurl(const Place& place, const Instant& at, const Rows& rows, const Vec3& value,
-                      double* values, std::size_t begin = 0);
-
+  /// values: of a knot, or summed over the knots with an instant's weights.
+  static Vec3 Curl(const Place& place, const Rows& rows, const double* values);
+  /// To these, what the product of a value and the curl is of each.
+  static void AddCurl(const Place& place, const Rows& rows, const Vec3& value, double* values);
   /// To these, a weight times the square of what each is to the curl, but for the hold's slope.
-  static void AddSquares(const Place& place, const Instant& at, const Rows& rows, double weight,
-                         double* values, std::size_t begin = 0);
+  static void AddSquares(const Place& place, const Rows& rows, double weight, double* values);
 
+  Vec3 WindAt(const Place& place, double frame, const double* coefficients) const;
   /// The wind at the points of a lattice at a frame, added to a field. holds: by point, or empty.
   void AddTo(const double* coefficients, double frame, const SeriesLattice& lattice,
              const std::vector<WindHold>& holds, HalfSeries::Field& field) const;
