@@ -126,7 +126,7 @@ TEST(AirLoop, ItsCorrectionGoesOnAsItBegins)
     }
   }
   SilentMonitor monitor;
-  ASSERT_TRUE(wind.Fit(samples, 0.05, 60, SerialFor(), monitor));
+  ASSERT_TRUE(wind.Fit(samples, 0.05, 3e-3, 60, SerialFor(), monitor));
   HalfSeries air;
   air.Meaning = FieldMeaning::Velocity;
   air.Dimensions = { 9, 9, 9 };

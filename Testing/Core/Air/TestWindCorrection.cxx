@@ -52,7 +52,7 @@ WindCorrection Fitted(const ParallelFor& parallel, DistanceFromSolids solids = n
 {
   WindCorrection wind(Volume, Time, Scales, std::move(solids));
   SilentMonitor monitor;
-  EXPECT_TRUE(wind.Fit(SamplesOfGyre(300), 0.01, 60, parallel, monitor));
+  EXPECT_TRUE(wind.Fit(SamplesOfGyre(300), 0.01, 3e-3, 60, parallel, monitor));
   return wind;
 }
 
@@ -238,7 +238,7 @@ TEST(WindCorrection, IsWhatKrigingWithItsCovarianceGives)
   const double error = 0.05;
   WindCorrection wind(Volume, Time, Scales);
   SilentMonitor monitor;
-  EXPECT_TRUE(wind.Fit(samples, error, 500, SerialFor(), monitor));
+  EXPECT_TRUE(wind.Fit(samples, error, 3e-3, 500, SerialFor(), monitor));
   const PlainKriging plain(samples, error);
   Random random(5);
   for (int s = 0; s < 8; ++s)
@@ -268,7 +268,7 @@ TEST(WindCorrection, IsNoLessLikelyThanKrigingAllows)
   const double error = 0.03;
   WindCorrection wind(Volume, Time, Scales);
   SilentMonitor monitor;
-  EXPECT_TRUE(wind.Fit(samples, error, 60, SerialFor(), monitor));
+  EXPECT_TRUE(wind.Fit(samples, error, 3e-3, 60, SerialFor(), monitor));
   const PlainKriging plain(samples, error);
   Eigen::VectorXd found(3 * 3 * 32);
   Eigen::Index at = 0;
@@ -294,11 +294,11 @@ TEST(WindCorrection, IsNothingWithoutSamplesAndWholeWhereAFitIsStopped)
   };
   WindCorrection wind(Volume, Time, Scales);
   StopSoon stops;
-  EXPECT_FALSE(wind.Fit(SamplesOfGyre(300), 0.01, 60, SerialFor(), stops));
+  EXPECT_FALSE(wind.Fit(SamplesOfGyre(300), 0.01, 3e-3, 60, SerialFor(), stops));
   const Vec3 x(0.3, 0.7, 1.1);
   EXPECT_LT((wind.At(x, 33.0) - Gyre(x, 1.1)).norm(), Gyre(x, 1.1).norm());
   SilentMonitor monitor;
-  EXPECT_TRUE(wind.Fit({}, 0.01, 60, SerialFor(), monitor));
+  EXPECT_TRUE(wind.Fit({}, 0.01, 3e-3, 60, SerialFor(), monitor));
   EXPECT_EQ(wind.At(x, 33.0), Vec3::Zero());
 }
 

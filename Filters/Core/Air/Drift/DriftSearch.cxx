@@ -11,7 +11,8 @@ namespace
 {
 
 constexpr std::size_t FollowedStarts = 3; // the cheapest by then
-constexpr int FollowedIterations = 24;    // the air changes anyhow before the last drift
+constexpr int TriedIterations = 6;        // of each
+constexpr int FollowedIterations = 18;    // the air changes anyhow before the last drift
 
 // Of two paths the one that judges less goes on.
 struct Merit
@@ -53,7 +54,7 @@ std::vector<Vec3> BestDrift(const DriftSearch& search, const AirSampler& air,
   };
   for (std::size_t k = 0; k < paths.size(); ++k)
   {
-    order.emplace_back(follow(k, FurtherIterations), k);
+    order.emplace_back(follow(k, TriedIterations), k);
   }
   std::sort(order.begin(), order.end());
   order.resize(std::min((order.size() + 2) / 3, FollowedStarts));

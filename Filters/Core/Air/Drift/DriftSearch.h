@@ -11,7 +11,7 @@ namespace waft
 {
 
 inline constexpr int DriftIterations = 60;
-inline constexpr int FurtherIterations = 12; // where the air has changed little, and of every start
+inline constexpr int FurtherIterations = 12; // where the air has changed little
 
 /// How a path is looked for.
 struct DriftSearch

@@ -13,37 +13,39 @@ namespace waft
 namespace
 {
 
-// Four half floats side by side as they lie in a list of threes.
-typedef std::uint16_t Halves __attribute__((vector_size(8)));
-typedef std::uint32_t Bits4 __attribute__((vector_size(16)));
+// Eight half floats, and what they are.
+typedef std::uint16_t Halves8 __attribute__((vector_size(16)));
+typedef std::uint32_t Bits8 __attribute__((vector_size(32)));
+typedef float Float8 __attribute__((vector_size(32)));
 
-// As of single ones: Base/Half.h.
-WAFT_INLINE Float4 FromHalves(const Halves& halves)
+// The values of two neighbours in a list, which are six: the first four, and the last four, so that
+// nothing after them is read.
+WAFT_INLINE void ReadPair(const Half3* values, Float8& floats)
 {
-  const Bits4 bits = __builtin_convertvector(halves, Bits4);
-  const Float4 size = (Float4)((bits & 0x7fffu) << 13) * 0x1p112f;
-  return (Float4)((Bits4)size | ((bits & 0x8000u) << 16));
+  const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+  std::array<unsigned char, sizeof(Halves8)> twice;
+  std::memcpy(twice.data(), bytes, 8);
+  std::memcpy(twice.data() + 8, bytes + 2 * sizeof(Half3) - 8, 8);
+  Halves8 halves;
+  std::memcpy(&halves, twice.data(), sizeof(halves));
+  // As of single ones: Base/Half.h.
+  const Bits8 bits = __builtin_convertvector(halves, Bits8);
+  const Float8 size = (Float8)((bits & 0x7fffu) << 13) * 0x1p112f;
+  floats = (Float8)((Bits8)size | ((bits & 0x8000u) << 16));
 }
 
-// The values of two neighbours in a list, the fourth of each being of the other one: the second is
-// read from two bytes before it, so that nothing after it is.
-WAFT_INLINE void ReadPair(const Half3* values, std::size_t next, Float4& low, Float4& high)
+// Of these the first one's and the second one's, the fourth of each being of the other one.
+WAFT_INLINE void SplitPair(const Float8& floats, Double4& low, Double4& high)
 {
-  const std::array<Half3, 2> alone = { values[0], values[0] };
-  values = next == 1 ? values : alone.data(); // a lattice of one point along x
-  const auto* bytes = reinterpret_cast<const unsigned char*>(values);
-  Halves first, second;
-  std::memcpy(&first, bytes, sizeof(first));
-  std::memcpy(&second, bytes + 2 * sizeof(Half3) - sizeof(second), sizeof(second));
-  low = FromHalves(first);
-  high = FromHalves(__builtin_shufflevector(second, second, 1, 2, 3, 0));
+  low = __builtin_convertvector(__builtin_shufflevector(floats, floats, 0, 1, 2, 3), Double4);
+  high = __builtin_convertvector(__builtin_shufflevector(floats, floats, 5, 6, 7, 4), Double4);
 }
 
 } // namespace
 
-AirSampler::AirSampler(const HalfSeries& air) : Air(air) {}
+AirSampler::AirSampler(const HalfSeries& air) : Air(air), Slopes(air.Spacing.cwiseInverse()) {}
 
-AirSampler::Voxel AirSampler::Find(const Vec3& x) const
+WAFT_INLINE AirSampler::Voxel AirSampler::Find(const Vec3& x) const
 {
   Voxel voxel;
   std::size_t stride = 1;
@@ -54,7 +56,7 @@ AirSampler::Voxel AirSampler::Find(const Vec3& x) const
     const double coordinate = (x[c] - this->Air.Origin[c]) / this->Air.Spacing[c];
     const double held = std::clamp(coordinate, 0.0, last);
     const int low = std::min(static_cast<int>(held), std::max(0, count - 2));
-    voxel.Slope[c] = coordinate == held && last > 0.0 ? 1.0 / this->Air.Spacing[c] : 0.0;
+    voxel.Slope[c] = coordinate == held && last > 0.0 ? this->Slopes[c] : 0.0;
     voxel.Part[c] = held - low;
     voxel.Next[c] = count > 1 ? stride : 0;
     voxel.Corner += static_cast<std::size_t>(low) * stride;
@@ -66,7 +68,7 @@ AirSampler::Voxel AirSampler::Find(const Vec3& x) const
 // Along x, then y, then z, with what each step changes. corners(i, low, high): at the i-th point
 // and its neighbour along x.
 template <class Corners>
-Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corners& corners, Mat3* gradient)
+WAFT_INLINE Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corners& corners, Mat3* gradient)
 {
   Double4 faces[2], alongX[2], alongY[2];
   for (std::size_t k = 0; k < 2; ++k)
@@ -101,32 +103,32 @@ Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corners& corners, Mat3* g
   return Vec3(value[0], value[1], value[2]);
 }
 
-Vec3 AirSampler::Between(int k, const Vec3& x, Mat3* gradient) const
+WAFT_SIMD_CLONES Vec3 AirSampler::Between(int k, const Vec3& x, Mat3* gradient) const
 {
   const Half3* before = this->Air.Values[static_cast<std::size_t>(k)].data();
   const Half3* after = this->Air.Values[static_cast<std::size_t>(k) + 1].data();
   const Voxel voxel = this->Find(x);
   const auto means = [&](std::size_t i, Double4& low, Double4& high)
   {
-    Float4 lows[2], highs[2];
-    ReadPair(before + i, voxel.Next[0], lows[0], highs[0]);
-    ReadPair(after + i, voxel.Next[0], lows[1], highs[1]);
-    low = 0.5 * __builtin_convertvector(lows[0] + lows[1], Double4);
-    high = 0.5 * __builtin_convertvector(highs[0] + highs[1], Double4);
+    Float8 first, second;
+    ReadPair(before + i, first);
+    ReadPair(after + i, second);
+    SplitPair(first + second, low, high);
+    low *= 0.5;
+    high *= 0.5;
   };
   return Interpolate(voxel, means, gradient);
 }
 
-Vec3 AirSampler::At(int frame, const Vec3& x, Mat3* gradient) const
+WAFT_SIMD_CLONES Vec3 AirSampler::At(int frame, const Vec3& x, Mat3* gradient) const
 {
   const Half3* values = this->Air.Values[static_cast<std::size_t>(frame)].data();
   const Voxel voxel = this->Find(x);
   const auto corners = [&](std::size_t i, Double4& low, Double4& high)
   {
-    Float4 lows, highs;
-    ReadPair(values + i, voxel.Next[0], lows, highs);
-    low = __builtin_convertvector(lows, Double4);
-    high = __builtin_convertvector(highs, Double4);
+    Float8 floats;
+    ReadPair(values + i, floats);
+    SplitPair(floats, low, high);
   };
   return Interpolate(voxel, corners, gradient);
 }

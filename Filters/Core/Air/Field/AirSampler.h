@@ -34,6 +34,7 @@ private:
   static Vec3 Interpolate(const Voxel& voxel, const Corners& corners, Mat3* gradient);
 
   const HalfSeries& Air;
+  Vec3 Slopes; // 1 / spacing
 };
 
 } // namespace waft

@@ -20,7 +20,6 @@ constexpr double EddyTime = 2.0 / 3.0;  // power of its size
 constexpr double WithinSpacing = 1.15;  // spacings, at which a scale's structure function is full
 constexpr std::size_t StructureAt = 16; // frames
 constexpr double LeastShare = 1e-3;     // of the variance, that a scale has
-constexpr double Converged = 3e-3;      // of what the gradient was, by the diagonal
 
 /// Mean square of the differences of one component between points so far apart along an axis
 /// [m^2/s^2], between points of the lattice; over a third of three components: of zero distance the
@@ -234,8 +233,8 @@ bool WindCorrection::AddTo(const HalfSeries& air, HalfSeries& sum, const Paralle
   return part.Tick(-1.0, "");
 }
 
-bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, int iterations,
-                         const ParallelFor& parallel, Monitor& monitor)
+bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, double left,
+                         int iterations, const ParallelFor& parallel, Monitor& monitor)
 {
   std::vector<std::vector<Nearness>> near(this->Distance ? samples.size() : 0);
   parallel(near.size(),
@@ -270,7 +269,7 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     direction[i] = scaled(i);
     descent += residual[i] * direction[i];
   }
-  const double enough = Converged * Converged * descent;
+  const double enough = left * left * descent; // by the diagonal;
   bool goesOn = true;
   int iteration = 0;
   for (; iteration < iterations && descent > enough && goesOn; ++iteration)

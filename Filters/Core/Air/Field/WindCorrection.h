@@ -52,9 +52,10 @@ public:
                  DistanceFromSolids distance = nullptr, bool solidsMove = true, bool loops = false);
 
   /// The most probable wind whose samples, in the order of their frames, are off by `error` [m/s]
-  /// (rms of a component); goes on from the wind as it is, by conjugate gradients. The same on any
-  /// number of threads. False: stopped, the wind fits as well as it does by then.
-  bool Fit(const std::vector<WindSamples>& samples, double error, int iterations,
+  /// (rms of a component); goes on from the wind as it is, by conjugate gradients, until so little
+  /// is left of the gradient that it has. The same on any number of threads. False: stopped, the
+  /// wind fits as well as it does by then.
+  bool Fit(const std::vector<WindSamples>& samples, double error, double left, int iterations,
            const ParallelFor& parallel, Monitor& monitor);
   const WindFit& Fitted() const { return this->Last; }
   Vec3 At(const Vec3& x, double frame) const;

@@ -35,12 +35,14 @@ constexpr double LastError = 0.01;
 constexpr double Likely = 0.25;
 constexpr double LikelyInTheEnd = 0.8;
 constexpr double LikelyAlone = 0.19;
-constexpr int FurtherRounds = 5;      // of fits to an air that has been simulated again, at most
-constexpr double Enough = 0.02;       // of the flow, that is left as control: then no further ones
-constexpr double Slow = 0.95;         // of the control before, that is left: likewise
-constexpr int MostIterations = 60;    // of conjugate gradients
-constexpr double LargeGradient = 0.5; // that they leave, of which is warned
-constexpr int WindStride = 3;         // frames between samples of a wind, but for the rest
+constexpr int FurtherRounds = 5;   // of fits to an air that has been simulated again, at most
+constexpr double Enough = 0.02;    // of the flow, that is left as control: then no further ones
+constexpr double Slow = 0.95;      // of the control before, that is left: likewise
+constexpr int MostIterations = 60; // of conjugate gradients
+constexpr double LeftBeforeNext = 3e-2; // of the gradient, by a fit that another one follows
+constexpr double LeftInTheEnd = 3e-3;   // and by one that none does
+constexpr double LargeGradient = 0.5;   // that they leave, of which is warned
+constexpr int WindStride = 3;           // frames between samples of a wind
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
 bool AddTo(const AirContext& run, const HalfSeries& plain, const WindCorrection& correction,
@@ -83,7 +85,7 @@ std::vector<Lack> LacksOf(const BodyProblem& body, const std::vector<Vec3>& path
 }
 
 // The wind that would have made the controls needless: what it is at the bodies, and they.
-bool Fit(const AirContext& run, const AirState& state, double error, int stride,
+bool Fit(const AirContext& run, const AirState& state, double error, double left, int stride,
          WindCorrection& correction, Monitor& monitor)
 {
   const AirBodies& bodies = state.Bodies;
@@ -113,7 +115,7 @@ bool Fit(const AirContext& run, const AirState& state, double error, int stride,
   {
     samples.push_back(std::move(at));
   }
-  return correction.Fit(samples, error, MostIterations, run.Parallel, monitor);
+  return correction.Fit(samples, error, left, MostIterations, run.Parallel, monitor);
 }
 
 WindCorrection CorrectionOf(const AirContext& run, const HalfSeries& plain)
@@ -246,7 +248,8 @@ Result AddWind(const AirContext& run, AirState& state, AssimilationOutput& outpu
       std::max(flow * firstError * std::pow(LastError / firstError, done), leastError);
     PartMonitor fitting(run.Caller, begin + k * step, begin + (k + 0.5) * step,
                         "Fitting the wind correction");
-    const bool isFitted = Fit(run, state, error, WindStride, correction, fitting);
+    const double left = k + 1 < rounds ? LeftBeforeNext : LeftInTheEnd;
+    const bool isFitted = Fit(run, state, error, left, WindStride, correction, fitting);
     if (!isFitted || !AddTo(run, plain, correction, state.Sampled.Velocity, fitting))
     {
       state.Sampled.Velocity = plain;
@@ -281,7 +284,8 @@ void AddRest(const AirContext& run, AirState& state, AssimilationOutput& output)
   const double error = LastError * FlowAt(run, state) * std::sqrt(run.Options.WindStiffness);
   PartMonitor fitting(run.Caller, 1.0, 1.0, "Fitting what the air lacks still");
   SilentMonitor silent; // what is found by a stop is added to all frames
-  (void)Fit(run, state, error, 1, correction, fitting);
+  (void)Fit(run, state, error, LeftInTheEnd, state.IsSimulated ? 1 : WindStride, correction,
+            fitting);
   (void)AddTo(run, plain, correction, state.Sampled.Velocity, silent);
   output.Rounds.push_back(RoundOf(run, state, "rest", &correction));
   output.Rounds.back().Candidate = FitText(correction.Fitted()) + "; momentum residual " +

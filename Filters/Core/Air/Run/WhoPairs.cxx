@@ -20,7 +20,8 @@ namespace
 // Objects a target, of more than are paired with all: by legs, and by chance.
 constexpr std::size_t ByLegs = 8, ByChance = 16;
 constexpr std::uint64_t PairStream = 0x77686f;
-constexpr int PairIterations = 6; // of each start
+constexpr int TriedIterations = 3; // of each start, of which the cheapest goes on
+constexpr int PairIterations = 6;  // in all
 constexpr int MostPlannings = 6;  // of pairs with an obstacle between, in a group
 constexpr int FramesOfPairs = 3;  // that are tried of a window
 constexpr double Never = std::numeric_limits<double>::infinity();
@@ -244,19 +245,26 @@ Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, 
   SetLatestTouchDowns(run.Search, body);
   DriftProblem problem = body.In(air);
   problem.TooNear = obstacles == Obstacles::NotThere ? nullptr : problem.TooNear;
+  const auto drifted = [&](std::vector<Vec3> path, int most)
+  {
+    const double cost = SolveDrift(problem, air, run.Search.Weights, most, path).Cost;
+    const bool passes =
+      obstacles == Obstacles::InTheWay && run.FromSolids && body.PassesThrough(path);
+    return Way{ cost, passes, std::move(path) };
+  };
   Way least;
   for (std::vector<Vec3>& path : starts)
   {
-    const double cost = SolveDrift(problem, air, run.Search.Weights, iterations, path).Cost;
-    const bool passes =
-      obstacles == Obstacles::InTheWay && run.FromSolids && body.PassesThrough(path);
-    const bool isBetter = passes == least.Passes ? cost < least.Cost : least.Passes;
+    Way way = drifted(std::move(path), std::min(TriedIterations, iterations));
+    const bool isBetter = way.Passes == least.Passes ? way.Cost < least.Cost : least.Passes;
     if (least.Cost == Never || isBetter)
     {
-      least = { cost, passes, std::move(path) };
+      least = std::move(way);
     }
   }
-  return least;
+  return iterations > TriedIterations
+           ? drifted(std::move(least.Path), iterations - TriedIterations)
+           : least;
 }
 
 std::vector<std::vector<Vec3>> OtherStarts(const AirSampler& air, const BodyProblem& body)

@@ -32,7 +32,7 @@ enum class Obstacles
   NotThere
 };
 
-/// The cheapest from some starts; one that passes through an obstacle where none else does.
+/// The cheapest from some starts by then; one that passes through an obstacle where none else does.
 Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, int iterations,
                std::vector<std::vector<Vec3>> starts, Obstacles obstacles = Obstacles::InTheWay);
 /// A body's starts but its plan, which leads elsewhere.
