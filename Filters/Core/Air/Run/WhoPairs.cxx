@@ -20,10 +20,11 @@ namespace
 // Objects a target, of more than are paired with all: by legs, and by chance.
 constexpr std::size_t ByLegs = 8, ByChance = 16;
 constexpr std::uint64_t PairStream = 0x77686f;
-constexpr int TriedIterations = 3; // of each start, of which the cheapest goes on
-constexpr int PairIterations = 6;  // in all
-constexpr int MostPlannings = 6;  // of pairs with an obstacle between, in a group
-constexpr int FramesOfPairs = 3;  // that are tried of a window
+constexpr int TriedIterations = 3;   // of each start, of which the cheapest goes on
+constexpr int PairIterations = 6;    // in all
+constexpr double MostOverLegs = 3.0; // by its start, of a pair that is looked at closely
+constexpr int MostPlannings = 6;     // of pairs with an obstacle between, in a group
+constexpr int FramesOfPairs = 3;     // that are tried of a window
 constexpr double Never = std::numeric_limits<double>::infinity();
 
 /// Of the rows of an object that count beside those that are open still.
@@ -151,9 +152,10 @@ std::size_t TrackOf(const AirContext& run, std::size_t object)
   return static_cast<std::size_t>(found - tracks.begin());
 }
 
-// A pair that comes at a frame, if that costs less than what was tried.
+// A pair that comes at a frame, if that costs less than what was tried; only roughly where it costs
+// more than `most`.
 void JudgeAt(const Choosing& choosing, const ChosenTargets& group, int frame,
-             std::vector<Constraint> rows, WhoPair& pair)
+             std::vector<Constraint> rows, double most, WhoPair& pair)
 {
   const AirContext& run = choosing.Run;
   const MotionObject& object = run.Input.Objects[pair.Object];
@@ -162,14 +164,16 @@ void JudgeAt(const Choosing& choosing, const ChosenTargets& group, int frame,
   const int sooner = IsRest(rows.back().Kind) ? rows.back().Frame - frame : 0;
   SetArrivals(Constraint(rows.back()), frame, run.Obstacles, rows);
   BodyProblem body = ProblemOf(run, object, run.Plans[TrackOf(run, pair.Object)], std::move(rows));
-  const Way way = isPlanned ? LeastDrift(run, choosing.Air, body, PairIterations,
-                                         body.Starts(choosing.Air, 0), Obstacles::MayBePassed)
-                            : LeastDrift(run, choosing.Air, body, PairIterations,
-                                         OtherStarts(choosing.Air, body));
-  const double cost = way.Passes ? LeastDrift(run, choosing.Air, body, PairIterations,
-                                              OtherStarts(choosing.Air, body), Obstacles::NotThere)
-                                     .Cost
-                                 : way.Cost;
+  const Way way = isPlanned
+                    ? LeastDrift(run, choosing.Air, body, PairIterations,
+                                 body.Starts(choosing.Air, 0), Obstacles::MayBePassed, most)
+                    : LeastDrift(run, choosing.Air, body, PairIterations,
+                                 OtherStarts(choosing.Air, body), Obstacles::InTheWay, most);
+  const double cost = way.Passes
+                        ? LeastDrift(run, choosing.Air, body, PairIterations,
+                                     OtherStarts(choosing.Air, body), Obstacles::NotThere, most)
+                            .Cost
+                        : way.Cost;
   const double longer = 1.0 + static_cast<double>(sooner) / body.NumberOfFlownSteps();
   if (pair.Cost == Never || longer * cost < pair.Cost)
   {
@@ -178,30 +182,50 @@ void JudgeAt(const Choosing& choosing, const ChosenTargets& group, int frame,
   }
 }
 
-// What each pair costs.
-void Judge(const Choosing& choosing, const ChosenTargets& group, std::vector<WhoPair>& pairs)
+// What a pair costs; only roughly where that is more than `most`.
+void Judge(const Choosing& choosing, const ChosenTargets& group, const RowsOfObjects& places,
+           double most, WhoPair& pair)
 {
   const AirContext& run = choosing.Run;
-  const RowsOfObjects places(run.Rows);
-  run.Parallel(pairs.size(),
-               [&](std::size_t begin, std::size_t end)
-               {
-                 for (std::size_t p = begin; p < end && choosing.Caller.Tick(-1.0, ""); ++p)
-                 {
-                   WhoPair& pair = pairs[p];
-                   const std::vector<Constraint> rows = RowsOf(choosing, group, places, pair);
-                   const std::size_t track = TrackOf(run, pair.Object);
-                   if (!rows.empty() && track < run.Plans.size())
-                   {
-                     for (const int frame :
-                          FramesOf(run, run.Input.Objects[pair.Object], rows.back(),
-                                   OthersOf(rows.back(), rows), FramesOfPairs))
-                     {
-                       JudgeAt(choosing, group, frame, rows, pair);
-                     }
-                   }
-                 }
-               });
+  const std::vector<Constraint> rows = RowsOf(choosing, group, places, pair);
+  const std::size_t track = TrackOf(run, pair.Object);
+  if (!rows.empty() && track < run.Plans.size())
+  {
+    for (const int frame : FramesOf(run, run.Input.Objects[pair.Object], rows.back(),
+                                    OthersOf(rows.back(), rows), FramesOfPairs))
+    {
+      JudgeAt(choosing, group, frame, rows, most, pair);
+    }
+  }
+}
+
+// What each pair costs. A target's first one is that by legs, which the others are held against.
+void JudgeAll(const Choosing& choosing, const ChosenTargets& group, std::vector<WhoPair>& pairs)
+{
+  const RowsOfObjects places(choosing.Run.Rows);
+  std::vector<std::size_t> begins;
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+  {
+    if (p == 0 || pairs[p].Target != pairs[p - 1].Target)
+    {
+      begins.push_back(p);
+    }
+  }
+  begins.push_back(pairs.size());
+  choosing.Run.Parallel(begins.size() - 1,
+                        [&](std::size_t begin, std::size_t end)
+                        {
+                          for (std::size_t t = begin; t < end && choosing.Caller.Tick(-1.0, "");
+                               ++t)
+                          {
+                            const WhoPair& own = pairs[begins[t]];
+                            for (std::size_t p = begins[t]; p < begins[t + 1]; ++p)
+                            {
+                              Judge(choosing, group, places,
+                                    p == begins[t] ? Never : MostOverLegs * own.Cost, pairs[p]);
+                            }
+                          }
+                        });
 }
 
 // Pairs with an obstacle between, from plans around it; without a plan they are none.
@@ -240,14 +264,14 @@ void PlanPairs(const Choosing& choosing, const ChosenTargets& group,
 } // namespace
 
 Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, int iterations,
-               std::vector<std::vector<Vec3>> starts, Obstacles obstacles)
+               std::vector<std::vector<Vec3>> starts, Obstacles obstacles, double most)
 {
   SetLatestTouchDowns(run.Search, body);
   DriftProblem problem = body.In(air);
   problem.TooNear = obstacles == Obstacles::NotThere ? nullptr : problem.TooNear;
-  const auto drifted = [&](std::vector<Vec3> path, int most)
+  const auto drifted = [&](std::vector<Vec3> path, int tries)
   {
-    const double cost = SolveDrift(problem, air, run.Search.Weights, most, path).Cost;
+    const double cost = SolveDrift(problem, air, run.Search.Weights, tries, path).Cost;
     const bool passes =
       obstacles == Obstacles::InTheWay && run.FromSolids && body.PassesThrough(path);
     return Way{ cost, passes, std::move(path) };
@@ -262,7 +286,7 @@ Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, 
       least = std::move(way);
     }
   }
-  return iterations > TriedIterations
+  return iterations > TriedIterations && least.Cost < most
            ? drifted(std::move(least.Path), iterations - TriedIterations)
            : least;
 }
@@ -278,7 +302,7 @@ std::vector<WhoPair> JudgedPairs(const Choosing& choosing, const ChosenTargets& 
 {
   std::vector<WhoPair> pairs =
     PairsOf(group, choosing.Run, PlacesBefore(choosing.Run, choosing.IsOpen, group.FirstFrame()));
-  Judge(choosing, group, pairs);
+  JudgeAll(choosing, group, pairs);
   return pairs;
 }
 

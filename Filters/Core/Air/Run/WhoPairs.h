@@ -33,8 +33,10 @@ enum class Obstacles
 };
 
 /// The cheapest from some starts by then; one that passes through an obstacle where none else does.
+/// It does not go on where it costs more than `most` by its start.
 Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, int iterations,
-               std::vector<std::vector<Vec3>> starts, Obstacles obstacles = Obstacles::InTheWay);
+               std::vector<std::vector<Vec3>> starts, Obstacles obstacles = Obstacles::InTheWay,
+               double most = std::numeric_limits<double>::infinity());
 /// A body's starts but its plan, which leads elsewhere.
 std::vector<std::vector<Vec3>> OtherStarts(const AirSampler& air, const BodyProblem& body);
 
