@@ -21,6 +21,7 @@ constexpr double AgreeingMedian = 15.0 * Degree; // rad, that is wanted of each 
 constexpr double AgreeingHigh = 45.0 * Degree;   // of the 90th percentile
 constexpr double StepTime = 1.0 / 3.0;           // s
 constexpr int StepsAhead = 3;                    // that are turned, for the path to know of them
+constexpr int StepIterations = 4;                // of the path, after each
 constexpr const char* DriftingText = "Letting the objects drift to their marks";
 constexpr const char* TurningText = "Turning the objects in the air";
 constexpr std::size_t TurnedAtOnce = 1024; // bodies
@@ -300,7 +301,7 @@ Result TurnStepwise(const AirContext& run, const HalfSeries& air, const std::vec
                        problem.IsFixed[k] = 1;
                        problem.Fixed[k] = bodies.Paths[o][k];
                      }
-                     SolveDrift(problem, sampler, run.Search.Weights, FurtherIterations,
+                     SolveDrift(problem, sampler, run.Search.Weights, StepIterations,
                                 bodies.Paths[o]);
                    }
                  });
