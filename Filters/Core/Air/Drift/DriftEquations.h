@@ -62,7 +62,7 @@ private:
   std::vector<Mat3> AirGradients;
 };
 
-/// The damping of Levenberg's method, and when it ends. It begins below what a path of one slow
+/// The damping of Levenberg's method, and when it ends. It begins near what a path of one slow
 /// bend is held by, which more would keep from moving for the first steps, and follows how much of
 /// what a step promised came true (Nielsen 1999): where contacts come and go, a fixed factor has
 /// every second step fail.

@@ -36,8 +36,8 @@ Merit MeritOf(const DriftSearch& search, const BodyProblem& body, double cost,
 Merit MeritOf(const DriftSearch& search, const AirSampler& air, const BodyProblem& body,
               const std::vector<Vec3>& path)
 {
-  std::vector<Vec3> moved = path;
-  const double cost = SolveDrift(body.In(air), air, search.Weights, 1, moved).Cost;
+  std::vector<Vec3> same = path;
+  const double cost = SolveDrift(body.In(air), air, search.Weights, 0, same).Cost;
   return MeritOf(search, body, cost, path);
 }
 

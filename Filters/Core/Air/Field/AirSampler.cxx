@@ -23,11 +23,9 @@ typedef float Float8 __attribute__((vector_size(32)));
 WAFT_INLINE void ReadPair(const Half3* values, Float8& floats)
 {
   const auto* bytes = reinterpret_cast<const unsigned char*>(values);
-  std::array<unsigned char, sizeof(Halves8)> twice;
-  std::memcpy(twice.data(), bytes, 8);
-  std::memcpy(twice.data() + 8, bytes + 2 * sizeof(Half3) - 8, 8);
   Halves8 halves;
-  std::memcpy(&halves, twice.data(), sizeof(halves));
+  std::memcpy(&halves, bytes, 8);
+  std::memcpy(reinterpret_cast<unsigned char*>(&halves) + 8, bytes + 2 * sizeof(Half3) - 8, 8);
   // As of single ones: Base/Half.h.
   const Bits8 bits = __builtin_convertvector(halves, Bits8);
   const Float8 size = (Float8)((bits & 0x7fffu) << 13) * 0x1p112f;
@@ -113,9 +111,7 @@ WAFT_SIMD_CLONES Vec3 AirSampler::Between(int k, const Vec3& x, Mat3* gradient) 
     Float8 first, second;
     ReadPair(before + i, first);
     ReadPair(after + i, second);
-    SplitPair(first + second, low, high);
-    low *= 0.5;
-    high *= 0.5;
+    SplitPair(0.5f * (first + second), low, high);
   };
   return Interpolate(voxel, means, gradient);
 }

@@ -7,7 +7,7 @@
 namespace waft
 {
 
-/// Of a series whose k-th field is that of frame k.
+/// Of a series whose k-th field is that of frame k, on a lattice of at least two points along x.
 class AirSampler
 {
 public:
@@ -20,8 +20,8 @@ public:
 
 private:
   // Where x lies: its voxel's lowest corner, how far the others are from it in the list of values
-  // (0 where there is none), the offset within it from 0 to 1, and 1 / spacing where a move changes
-  // it.
+  // (0 where there is none; along x at 1), the offset within it from 0 to 1, and 1 / spacing where
+  // a move changes it.
   struct Voxel
   {
     std::size_t Corner = 0;

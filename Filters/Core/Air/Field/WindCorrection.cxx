@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Field/WindCorrection.h"
 
-#include "Air/Field/WindEquations.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -269,7 +267,7 @@ bool WindCorrection::Fit(const std::vector<WindSamples>& samples, double error, 
     direction[i] = scaled(i);
     descent += residual[i] * direction[i];
   }
-  const double enough = left * left * descent; // by the diagonal;
+  const double enough = left * left * descent; // by the diagonal
   bool goesOn = true;
   int iteration = 0;
   for (; iteration < iterations && descent > enough && goesOn; ++iteration)

@@ -40,9 +40,10 @@ constexpr double Enough = 0.02;    // of the flow, that is left as control: then
 constexpr double Slow = 0.95;      // of the control before, that is left: likewise
 constexpr int MostIterations = 60; // of conjugate gradients
 constexpr double LeftBeforeNext = 3e-2; // of the gradient, by a fit that another one follows
-constexpr double LeftInTheEnd = 3e-3;   // and by one that none does
+constexpr double LeftInTheEnd = 3e-3;   // and by the last of several, and the rest
 constexpr double LargeGradient = 0.5;   // that they leave, of which is warned
-constexpr int WindStride = 3;           // frames between samples of a wind
+constexpr int WindStride =
+  3; // frames between samples of a wind, but for the rest of a simulated air
 
 // The air as it was without, with the wind correction. False: stopped, at some frames.
 bool AddTo(const AirContext& run, const HalfSeries& plain, const WindCorrection& correction,

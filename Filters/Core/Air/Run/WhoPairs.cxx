@@ -199,33 +199,28 @@ void Judge(const Choosing& choosing, const ChosenTargets& group, const RowsOfObj
   }
 }
 
-// What each pair costs. A target's first one is that by legs, which the others are held against.
+// What each pair costs; the others of a target are held against that by legs.
 void JudgeAll(const Choosing& choosing, const ChosenTargets& group, std::vector<WhoPair>& pairs)
 {
   const RowsOfObjects places(choosing.Run.Rows);
-  std::vector<std::size_t> begins;
-  for (std::size_t p = 0; p < pairs.size(); ++p)
+  std::vector<double> most(group.Targets.size(), Never);
+  for (const bool byLegs : { true, false })
   {
-    if (p == 0 || pairs[p].Target != pairs[p - 1].Target)
-    {
-      begins.push_back(p);
-    }
+    choosing.Run.Parallel(
+      pairs.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t p = begin; p < end && choosing.Caller.Tick(-1.0, ""); ++p)
+        {
+          WhoPair& pair = pairs[p];
+          if (byLegs == (pair.Object == group.Targets[pair.Target].Object))
+          {
+            Judge(choosing, group, places, byLegs ? Never : most[pair.Target], pair);
+            most[pair.Target] = byLegs ? MostOverLegs * pair.Cost : most[pair.Target];
+          }
+        }
+      });
   }
-  begins.push_back(pairs.size());
-  choosing.Run.Parallel(begins.size() - 1,
-                        [&](std::size_t begin, std::size_t end)
-                        {
-                          for (std::size_t t = begin; t < end && choosing.Caller.Tick(-1.0, "");
-                               ++t)
-                          {
-                            const WhoPair& own = pairs[begins[t]];
-                            for (std::size_t p = begins[t]; p < begins[t + 1]; ++p)
-                            {
-                              Judge(choosing, group, places,
-                                    p == begins[t] ? Never : MostOverLegs * own.Cost, pairs[p]);
-                            }
-                          }
-                        });
 }
 
 // Pairs with an obstacle between, from plans around it; without a plan they are none.
@@ -279,16 +274,19 @@ Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, 
   Way least;
   for (std::vector<Vec3>& path : starts)
   {
-    Way way = drifted(std::move(path), std::min(TriedIterations, iterations));
+    Way way = drifted(std::move(path), iterations / 2);
     const bool isBetter = way.Passes == least.Passes ? way.Cost < least.Cost : least.Passes;
     if (least.Cost == Never || isBetter)
     {
       least = std::move(way);
     }
   }
-  return iterations > TriedIterations && least.Cost < most
-           ? drifted(std::move(least.Path), iterations - TriedIterations)
-           : least;
+  if (!(least.Cost < most))
+  {
+    return least;
+  }
+  Way further = drifted(least.Path, iterations - iterations / 2);
+  return further.Passes && !least.Passes ? least : further;
 }
 
 std::vector<std::vector<Vec3>> OtherStarts(const AirSampler& air, const BodyProblem& body)

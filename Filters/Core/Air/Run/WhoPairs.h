@@ -32,8 +32,8 @@ enum class Obstacles
   NotThere
 };
 
-/// The cheapest from some starts by then; one that passes through an obstacle where none else does.
-/// It does not go on where it costs more than `most` by its start.
+/// From the start that is the cheapest after half of the iterations; from one that passes through
+/// an obstacle by then where none else does not. It ends there where it costs more than `most`.
 Way LeastDrift(const AirContext& run, const AirSampler& air, BodyProblem& body, int iterations,
                std::vector<std::vector<Vec3>> starts, Obstacles obstacles = Obstacles::InTheWay,
                double most = std::numeric_limits<double>::infinity());
